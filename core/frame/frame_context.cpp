@@ -139,25 +139,33 @@ StageTimer::~StageTimer() {
     m_frame.addStage(m_name, millisecondsSince(m_start) - (m_frame.drawingMilliseconds() - m_drawingBefore));
 }
 
-Decision planeTest(const Subject& subject, FrustumPlane plane, double inner, double outer, double margin) {
+Decision outsideTest(const Subject& subject, FrustumPlane plane, double inner, double margin) {
     Decision decision;
     decision.subject = subject;
     decision.plane = plane;
-    decision.operands = {inner, margin, outer};
-    decision.operandCount = 3;
+    decision.operands = {inner, margin};
+    decision.operandCount = 2;
     // %1 is the plane, %2 the distance of the farthest point inside, %3 the margin.
     if (inner < -margin) {
         decision.containment = Containment::Outside;
         decision.sentence = CULLSCOPE_TR(
             "Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3.");
-    } else if (outer > margin) {
-        decision.containment = Containment::Inside;
-        decision.sentence = CULLSCOPE_TR("Tested against the %1: all of the bounds lie inside, the farthest point by %2.");
     } else if (inner < 0.0) {
         decision.sentence =
             CULLSCOPE_TR("Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.");
     } else {
         decision.sentence = CULLSCOPE_TR("Tested against the %1: the bounds reach %2 to the inside.");
+    }
+    return decision;
+}
+
+Decision planeTest(const Subject& subject, FrustumPlane plane, double inner, double outer, double margin) {
+    Decision decision = outsideTest(subject, plane, inner, margin);
+    decision.operands[2] = outer;
+    decision.operandCount = 3;
+    if (decision.containment != Containment::Outside && outer > margin) {
+        decision.containment = Containment::Inside;
+        decision.sentence = CULLSCOPE_TR("Tested against the %1: all of the bounds lie inside, the farthest point by %2.");
     }
     return decision;
 }

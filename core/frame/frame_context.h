@@ -143,8 +143,11 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// A plane test of a subject: `inner` and `outer` are the signed distances of the bounds' points farthest inside and farthest
-/// outside. The result is Outside or Inside only where these exceed the margin.
+/// A test whether a subject lies outside a plane: `inner` is the signed distance of the bounds' point farthest inside. The result
+/// is Outside only below −margin, else Straddles: how much of the bounds lies inside was not tested.
+[[nodiscard]] Decision outsideTest(const Subject& subject, FrustumPlane plane, double inner, double margin);
+/// The same with a test whether all of it lies inside: `outer` is the signed distance of the bounds' point farthest outside. The
+/// result is Inside only above the margin.
 [[nodiscard]] Decision planeTest(const Subject& subject, FrustumPlane plane, double inner, double outer, double margin);
 /// A test of a subject by separating axes (geometry/separation.h), after its planes.
 [[nodiscard]] Decision axisTest(const Subject& subject, bool outside, double margin);

@@ -93,8 +93,7 @@ struct TestTeller {
         const auto& teller = *static_cast<const TestTeller*>(to);
         for (size_t i = 0; i < tests.count && tests.object + i < teller.objects; ++i)
             if (!std::isnan(tests.inside[i]) && !std::isnan(tests.margin[i]))
-                teller.told(uint32_t(tests.object + i), FrustumPlane(tests.plane),
-                            {tests.inside[i], tests.outside[i], tests.margin[i]});
+                teller.told(uint32_t(tests.object + i), FrustumPlane(tests.plane), {tests.inside[i], tests.margin[i]});
     }
 };
 

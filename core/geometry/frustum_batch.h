@@ -86,14 +86,21 @@ private:
     BatchPlanes m_planes{};
 };
 
+/// How far an object reaches inside a plane: the signed distance of its point farthest inside.
+struct PlaneReach {
+    double farthestInside = 0.0, margin = 0.0;
+
+    [[nodiscard]] bool outside() const { return farthestInside < -margin; }
+};
+
 /// Is told of the test of one object against one plane.
-using BatchTestTold = std::function<void(uint32_t object, FrustumPlane plane, const BatchDistances& distances)>;
+using BatchTestTold = std::function<void(uint32_t object, FrustumPlane plane, const PlaneReach& reach)>;
 
 /// Finds the objects that lie outside a plane of the frustum: bit i % 64 of word i / 64 for object i; bits beyond the last object
 /// are 0. Conservative: an object that intersects the frustum is never outside. `level` is one of availableSimdLevels().
 /// `told`: of every test where it falls, in the order of the level's batches: all objects of a batch against one plane, then
-/// against the next, until all of them are outside. The distance of the point farthest outside is computed for it alone. Objects
-/// whose place is not known are left out. Without it nothing is told, which costs nothing.
+/// against the next, until all of them are outside. Objects whose place is not known are left
+/// out. Without it nothing is told, which costs nothing.
 void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
                  const BatchTestTold& told = {});
 void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,

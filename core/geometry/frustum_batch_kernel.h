@@ -75,7 +75,7 @@ template <size_t kCount, typename Body>
 /// Tells of no test.
 template <typename Lanes>
 struct Untold {
-    [[gnu::always_inline]] void test(size_t /*object*/, size_t /*plane*/, const double* /*at*/, const BatchPlanes& /*frustum*/,
+    [[gnu::always_inline]] void test(size_t /*object*/, size_t /*plane*/, const double* /*at*/,
                                      typename Lanes::Vector /*distance*/, typename Lanes::Vector /*margin*/) const {}
 };
 
@@ -84,13 +84,12 @@ template <typename Lanes, typename Shape>
 struct Told {
     const BatchListener& listener;
 
-    void test(size_t object, size_t plane, const double* at, const BatchPlanes& frustum, typename Lanes::Vector distance,
+    void test(size_t object, size_t plane, const double* at, typename Lanes::Vector distance,
               typename Lanes::Vector margin) const {
-        double inside[Lanes::kWidth], outside[Lanes::kWidth], margins[Lanes::kWidth];
+        double inside[Lanes::kWidth], margins[Lanes::kWidth];
         Lanes::store(inside, Shape::withReach(distance, at));
-        Lanes::store(outside, Shape::outer(at, frustum.planes[plane]));
         Lanes::store(margins, margin);
-        listener.tell(listener.to, {object, plane, Lanes::kWidth, inside, outside, margins});
+        listener.tell(listener.to, {object, plane, Lanes::kWidth, inside, margins});
     }
 };
 
@@ -115,7 +114,7 @@ template <typename Lanes, typename Shape, size_t kVectors, typename Telling>
             const BatchPlane& plane = frustum.planes[p + next];
             repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
                 const Vector distance = Shape::distance(at(v), plane);
-                telling.test(first + v * Lanes::kWidth, p + next, at(v), frustum, distance, margin[v]);
+                telling.test(first + v * Lanes::kWidth, p + next, at(v), distance, margin[v]);
                 // Lanes::min returns its second operand where the first is NaN, so that a NaN distance does not count.
                 least[v] = Lanes::min(distance, least[v]);
             });

@@ -39,7 +39,7 @@ struct BatchTests {
     size_t object;  ///< the first one, counted from the first of the blocks
     size_t plane;
     size_t count;
-    const double *inside, *outside, *margin;  ///< `count` each: as in BatchDistances
+    const double *inside, *margin;  ///< `count` each: farthestInside and margin of BatchDistances
 };
 
 /// Is told of the tests in the order in which a kernel makes them.

@@ -107,8 +107,7 @@ private:
             const Plane& plane = frustum.planes[size_t(which)];
             const double inner = farthestInside(plane, bounds);
             if (frame.recording())
-                frame.say(atLine(lineOf(BoxLine::NearAndFar),
-                                 planeTest(subject, which, inner, farthestOutside(plane, bounds), bounds.margin)));
+                frame.say(atLine(lineOf(BoxLine::NearAndFar), outsideTest(subject, which, inner, bounds.margin)));
             return inner < -bounds.margin;
         };
         if (isOutside(FrustumPlane::Near)) return Answer::BeforeNear;

@@ -21,17 +21,9 @@ BoxTest boxTestFromId(const std::string& id) {
     return id == "length" ? BoxTest::Length : BoxTest::PVertex;
 }
 
-/// Signed distances of an object's points farthest inside and farthest outside one plane; it is outside where inner < −bound.
-struct PlaneTest {
-    double inner = 0.0, outer = 0.0, bound = 0.0;
-
-    [[nodiscard]] bool outside() const { return inner < -bound; }
-};
-
-/// The tighter of two bounds in both directions: the smaller inner distance with its margin, and the larger outer distance.
-PlaneTest tighter(const BatchDistances& a, const BatchDistances& b) {
-    const BatchDistances& nearer = a.farthestInside + a.margin <= b.farthestInside + b.margin ? a : b;
-    return {nearer.farthestInside, std::max(a.farthestOutside, b.farthestOutside), nearer.margin};
+/// The tighter of two bounds: the smaller distance with its margin.
+PlaneReach tighter(const PlaneReach& a, const PlaneReach& b) {
+    return a.farthestInside + a.margin <= b.farthestInside + b.margin ? a : b;
 }
 
 [[nodiscard]] size_t lanes() {
@@ -80,10 +72,7 @@ private:
             return;
         }
         BatchTestTold told;
-        if (m_frame.recording())
-            told = [this](uint32_t i, FrustumPlane plane, const BatchDistances& distances) {
-                say(i, plane, {distances.farthestInside, distances.farthestOutside, distances.margin});
-            };
+        if (m_frame.recording()) told = [this](uint32_t i, FrustumPlane plane, const PlaneReach& reach) { say(i, plane, reach); };
         findOutside(*m_batches.spheres, m_frustum, bestSimdLevel(), m_outside, told);
         if (m_test == BoxTest::Oriented) {
             addOutside();
@@ -105,21 +94,21 @@ private:
     [[nodiscard]] bool testOne(uint32_t instance) const {
         for (uint32_t p = 0; p < kFrustumPlaneCount; ++p) {
             const auto plane = static_cast<FrustumPlane>(p);
-            const PlaneTest test = testOf(instance, plane);
-            if (m_frame.recording()) say(instance, plane, test);
-            if (test.outside()) return true;
+            const PlaneReach reach = reachOf(instance, plane);
+            if (m_frame.recording()) say(instance, plane, reach);
+            if (reach.outside()) return true;
         }
         return false;
     }
 
-    void say(uint32_t instance, FrustumPlane plane, const PlaneTest& test) const {
+    void say(uint32_t instance, FrustumPlane plane, const PlaneReach& reach) const {
         if (scene().meshOf(instance).triangleCount() == 0) return;
-        m_frame.say(atLine(test.outside() ? FrustumLine::Beyond : FrustumLine::Distance,
-                           planeTest(Subject::ofObject(instance), plane, test.inner, test.outer, test.bound)));
+        m_frame.say(atLine(reach.outside() ? FrustumLine::Beyond : FrustumLine::Distance,
+                           outsideTest(Subject::ofObject(instance), plane, reach.farthestInside, reach.margin)));
     }
 
-    /// The test of one object by itself against one plane.
-    [[nodiscard]] PlaneTest testOf(uint32_t instance, FrustumPlane which) const {
+    /// How far one object by itself reaches inside one plane.
+    [[nodiscard]] PlaneReach reachOf(uint32_t instance, FrustumPlane which) const {
         const View& view = m_frame.view();
         const BatchDistances sphere = m_frustum.distances(which, scene().instanceSphere(instance));
         const Plane& plane = view.frustum().planes[static_cast<size_t>(which)];
@@ -128,10 +117,10 @@ private:
             const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.halfExtent);
             // The margin of the batch test, so that this looser test never culls an object that the tighter one keeps.
             const double margin = std::max(sphere.margin, m_frustum.distances(which, scene().instanceBox(instance)).margin);
-            return {centre + length, centre - length, margin};
+            return {centre + length, margin};
         }
         const OrientedBox box = orientedBoxOf(scene(), instance, view.eye());
-        return tighter(sphere, {pVertexDistance(plane, box), nVertexDistance(plane, box), bounds.margin});
+        return tighter({sphere.farthestInside, sphere.margin}, {pVertexDistance(plane, box), bounds.margin});
     }
 
     [[nodiscard]] const Scene& scene() const { return m_frame.scene(); }

@@ -13,7 +13,7 @@ constexpr size_t kObjects = 237;  // three words of 64 and a rest that fills no 
 struct ToldTest {
     uint32_t object = 0;
     FrustumPlane plane = FrustumPlane::Left;
-    double inside = 0.0, outside = 0.0, margin = 0.0;
+    double inside = 0.0, margin = 0.0;
 
     bool operator==(const ToldTest&) const = default;
 };
@@ -51,10 +51,10 @@ std::vector<ToldTest> ownTests(const std::vector<Object>& objects, const BatchFr
         for (size_t plane = 0; plane < 6 && std::ranges::find(outside, false) != outside.end(); plane += group.planes)
             for (size_t p = plane; p < plane + group.planes; ++p)
                 for (size_t i = 0; i < count && first + i < objects.size(); ++i) {
-                    const auto [inner, outer, margin] = frustum.distances(FrustumPlane(p), objects[first + i]);
-                    if (std::isnan(inner)) continue;
-                    tests.push_back({uint32_t(first + i), FrustumPlane(p), inner, outer, margin});
-                    outside[i] = outside[i] || inner < -margin;
+                    const BatchDistances own = frustum.distances(FrustumPlane(p), objects[first + i]);
+                    if (std::isnan(own.farthestInside)) continue;
+                    tests.push_back({uint32_t(first + i), FrustumPlane(p), own.farthestInside, own.margin});
+                    outside[i] = outside[i] || own.farthestInside < -own.margin;
                 }
     }
     return tests;
@@ -69,8 +69,8 @@ void expectOwnOrder(const std::vector<Object>& objects, const Frustum& frustum, 
         std::vector<ToldTest> told;
         std::vector<uint64_t> plain, listened;
         findOutside(batch, prepared, level, plain);
-        findOutside(batch, prepared, level, listened, [&](uint32_t object, FrustumPlane plane, const BatchDistances& d) {
-            told.push_back({object, plane, d.farthestInside, d.farthestOutside, d.margin});
+        findOutside(batch, prepared, level, listened, [&](uint32_t object, FrustumPlane plane, const PlaneReach& reach) {
+            told.push_back({object, plane, reach.farthestInside, reach.margin});
         });
         EXPECT_EQ(listened, plain) << "listening changes no answer";
         EXPECT_EQ(told, ownTests(objects, prepared, level));

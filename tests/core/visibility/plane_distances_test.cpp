@@ -37,8 +37,6 @@ TEST(PlaneDistances, planesLieAsFrustumTestedThem) {
         EXPECT_LE(one.bound, decision.margin());
         EXPECT_GE(one.bound, 0.5 * decision.margin());
         EXPECT_EQ(one.containment == Containment::Outside, decision.containment == Containment::Outside);
-        EXPECT_EQ(one.containment == Containment::Inside,
-                  std::ranges::any_of(decisions, [](const Decision& test) { return test.containment == Containment::Inside; }));
         ++tests;
         outside += one.containment == Containment::Outside ? 1 : 0;
     }

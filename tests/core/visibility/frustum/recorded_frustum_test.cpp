@@ -84,7 +84,7 @@ private:
     [[nodiscard]] std::vector<ObjectTest> ofBatch(const Batch& batch, std::vector<bool>& outside) const {
         std::vector<ObjectTest> tests;
         std::vector<uint64_t> bits;
-        findOutside(batch, m_batch, bestSimdLevel(), bits, [&](uint32_t object, FrustumPlane plane, const BatchDistances& d) {
+        findOutside(batch, m_batch, bestSimdLevel(), bits, [&](uint32_t object, FrustumPlane plane, const PlaneReach& d) {
             if (m_scene.meshOf(object).triangleCount() == 0) return;
             tests.push_back({{plane, d.farthestInside, d.margin}, object});
             outside[object] = outside[object] || tests.back().outside();
@@ -153,6 +153,9 @@ TEST(RecordedFrustum, namesTheTestsInTheOrderInWhichTheBatchesMadeThemThenTheAns
                          const ObjectTest test{{*said.plane, said.distance(), said.margin()}, said.subject.number};
                          ASSERT_EQ(test, expected[i]) << "test " << i << " of object " << said.subject.number;
                          EXPECT_EQ(said.line, test.outside() ? 4 : 3);
+                         EXPECT_EQ(said.containment, test.outside() ? Containment::Outside : Containment::Straddles)
+                             << "it is not tested whether all of the bounds lie inside";
+                         EXPECT_EQ(said.operandCount, 2) << "the distance of one point, and the margin";
                          rejected[test.object] = rejected[test.object] || test.outside();
                      }
                      auto answer = log.decisions.begin() + ptrdiff_t(expected.size());
@@ -212,6 +215,10 @@ TEST(RecordedFrustum, namesEveryBoxThatOpenGlWasAskedAboutWithItsAnswer) {
                      std::vector<uint32_t> hits;
                      size_t number = 0;
                      for (const Decision& decision : log.decisions) {
+                         if (isPlaneTest(decision)) {
+                             EXPECT_NE(decision.containment, Containment::Inside) << "which is not tested";
+                             EXPECT_EQ(decision.operandCount, 2);
+                         }
                          if (!says(decision, "OpenGL was asked")) continue;
                          ASSERT_LT(number, boxes->boxes.size());
                          const EyeBox own = relativeToEye(scene.instanceBox(decision.subject.number), view.eye());
