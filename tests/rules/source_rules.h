@@ -50,7 +50,8 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 
 /// String literals of ui, app, core/image and core/measure, those of tr() too, that contain the id of a strategy as a word, and
 /// identifiers there that are named by one, as "ratioToBackface" is: sentences get the ids from the registry, and what is meant
-/// is a strategy's role. Ids that are words of other things, such as "all", are left out.
+/// is a strategy's role. Ids that are words of other things, such as "all", are reported where a literal is such an id alone,
+/// with its parameters, or in a list of strategies.
 [[nodiscard]] std::vector<Offence> strategyWordOffences(const std::filesystem::path& root, const std::vector<std::string>& ids);
 
 /// String literals of app and ui that contain one of these words, whatever the case of their letters: what a strategy's shows are

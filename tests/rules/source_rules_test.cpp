@@ -154,6 +154,21 @@ TEST_F(PlantedTree, idOfAStrategyWithinASentenceOrAnIdentifierIsReported) {
                                                                         Offence{"app/bench.cpp", 2, what("frustum-octree")}));
 }
 
+TEST_F(PlantedTree, idThatIsAnOrdinaryWordIsReportedWhereALiteralIsNothingButStrategies) {
+    const std::vector<std::string> ids{"all", "backface", "frustum", "painter", "spherical"};
+    const auto what = [](const std::string& id) { return "has the strategy " + id + " in a word"; };
+    for (const std::string id : {"all", "frustum", "painter", "spherical"}) {
+        write("ui/panel.cpp", "choose(\"" + id + "\");\nchoose(tr(\"" + id + "\"));\nchoose(\"" + id + ":box=length\");\nrun(\"" +
+                                  id + ",x\");\nrun(\"x:a=1,b=2," + id + "\");\n");
+        // Words of sentences, parts of other ids, and examples in comments.
+        write("app/bench.cpp", "say(\"the " + id + " of a view\");\nsay(\"" + id + ", and more\");\nchoose(\"" + id +
+                                   "-octree\");\nsay(\"\");  // \"" + id + "\"\n");
+        std::vector<Offence> expected;
+        for (int line = 1; line <= 5; ++line) expected.push_back({"ui/panel.cpp", line, what(id)});
+        EXPECT_THAT(strategyWordOffences(root(), ids), testing::ElementsAreArray(expected)) << id;
+    }
+}
+
 TEST_F(PlantedTree, wordOfAStrategysShowIsReported) {
     write("ui/panel.cpp", "label->setText(tr(\"Has no index map.\"));\n#include \"ui/index map.h\"\n");
     write("app/bench.cpp", "say(\"give --overlay index-map\");\n");
