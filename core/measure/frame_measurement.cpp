@@ -12,14 +12,13 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.cullTimes = timed.cullMilliseconds;
     figures.repetitions = static_cast<int>(timed.frameMilliseconds.size());
     figures.stages = timed.log.stages;
-    const FrameLog& judged = timed.judged();
-    figures.submitted = submittedBy(timed.strategy->scene(), judged);
-    figures.consideredTriangles = judged.consideredTriangles();
-    figures.culledTriangles = judged.counters.culledTriangles;
-    figures.parts = judged.counters.parts;
-    figures.figures = judged.counters.figures;
-    figures.nodesVisited = judged.counters.nodesVisited;
-    figures.frameBytes = judged.frameBytes();
+    figures.submitted = submittedBy(timed.strategy->scene(), timed.log);
+    figures.consideredTriangles = timed.log.consideredTriangles();
+    figures.culledTriangles = timed.log.counters.culledTriangles;
+    figures.parts = timed.log.counters.parts;
+    figures.figures = timed.log.counters.figures;
+    figures.nodesVisited = timed.log.counters.nodesVisited;
+    figures.frameBytes = timed.log.frameBytes();
     return figures;
 }
 

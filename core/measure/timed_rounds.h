@@ -23,23 +23,20 @@ struct TimingProtocol {
     std::function<double(const BuiltStrategy& strategy)> madeUpTime{};
 };
 
-/// One strategy at one view: what is drawn, and the times that it took. Every counted frame repeats the one that is judged.
+/// One strategy at one view: what is drawn, and the times that it took. Every counted frame repeats the first one, which is
+/// judged.
 struct TimedFrames {
     const SceneBuffers* buffers = nullptr;
     BuiltStrategyPointer strategy;
     View view;
     std::vector<ViewStatePointer> memories;  ///< of as many pictures as a frame has; what a strategy that remembers begins with
-    /// The frame that a view shows already, decided with these memories, with its decisions recorded; null: none. It takes the
-    /// place of the warm-up, and it is the one that is judged.
-    std::shared_ptr<const FrameLog> shown{};
+    bool shown = false;  ///< a view shows this frame already, decided with these memories: that was the warm-up
 
     std::vector<double> frameMilliseconds{}, cullMilliseconds{};  ///< of the counted frames, cull + draw and cull of all pictures
-    FrameLog log{};                                               ///< of the first counted frame's first picture
+    FrameLog log{};                                               ///< of the first counted frame's first picture: is judged
     std::vector<ViewStatePointer> left{};                         ///< the memories after that frame, of a strategy that remembers
     bool dropped = false;                                         ///< takes no part any more: its times and its log are not whole
 
-    /// The frame whose errors are counted: the shown one, or else the first counted one.
-    [[nodiscard]] const FrameLog& judged() const { return shown ? *shown : log; }
     /// The memories with which the next view begins.
     [[nodiscard]] std::vector<ViewStatePointer> takeMemories() { return std::move(left.empty() ? memories : left); }
 };

@@ -18,21 +18,20 @@ size_t joined(std::vector<TimedFrames>& timed, TimedFrames work) {
     return timed.size() - 1;
 }
 
-/// What is known of a shown frame before it is timed.
-ViewFigures figuresOf(const ViewSubject& subject, const JudgedFrame& judged, const Reference& truth) {
+/// What is known of a view that shows a frame when its first timed frame is judged.
+ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const JudgedFrame& judged, const Reference& truth) {
     const Scene& scene = subject.buffers->scene();
-    const FrameLog& shown = *subject.shown;
     ViewFigures figures;
     figures.promise = subject.strategy->promiseAt(subject.view);
-    figures.cullMilliseconds = shown.cullMilliseconds;
-    figures.submitted = submittedBy(scene, shown);
-    figures.consideredTriangles = shown.consideredTriangles();
+    figures.cullMilliseconds = timed.cullMilliseconds;
+    figures.submitted = submittedBy(scene, timed);
+    figures.consideredTriangles = timed.consideredTriangles();
     figures.sceneTriangles = scene.triangleCount();
     figures.size = subject.view.viewport();
     figures.truthFacing = truth.facing;
     figures.accuracy = judged.accuracy;
     figures.missedBeyondSnapping = judged.missedBeyondSnapping;
-    figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, shown, truth.visible()));
+    figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible()));
     std::vector<uint8_t> missed = missedMask(truth, judged.shown);
     figures.lostObjects = lostObjects(scene, truth, missed);
     figures.holes = holes(std::move(missed), truth.size);
@@ -45,7 +44,8 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
     : m_subjects(std::move(subjects)), m_judged(m_subjects.size()), m_figures(m_subjects.size()) {
     std::vector<TimedFrames> timed;
     for (ViewSubject& subject : m_subjects) {
-        TimedFrames work{subject.buffers.get(), subject.strategy, subject.view, std::move(subject.memories), subject.shown};
+        TimedFrames work{subject.buffers.get(), subject.strategy, subject.view, std::move(subject.memories),
+                         subject.shown != nullptr};
         if (subject.shown) {
             m_places.push_back({joined(timed, std::move(work))});
         } else {
@@ -66,7 +66,7 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
 
 std::optional<size_t> ViewRounds::toJudge(bool shown) const {
     for (size_t i = 0; i < m_subjects.size(); ++i)
-        if (m_subjects[i].judged && !m_judged[i] && (m_subjects[i].shown != nullptr) == shown && (shown || !dropped(i))) return i;
+        if (m_subjects[i].judged && !m_judged[i] && (m_subjects[i].shown != nullptr) == shown && !dropped(i)) return i;
     return std::nullopt;
 }
 
@@ -79,7 +79,7 @@ bool ViewRounds::complete() const { return m_rounds->complete() && !toJudge(true
 
 std::optional<size_t> ViewRounds::step(Renderer& renderer, References& references, const TimedRounds::TargetOf& targetOf,
                                        const std::stop_token& stop) {
-    std::optional<size_t> next = toJudge(true);
+    std::optional<size_t> next = m_rounds->counted() ? toJudge(true) : std::nullopt;
     if (!next && !m_rounds->complete()) {
         m_rounds->step(renderer, targetOf, stop);
         return std::nullopt;
@@ -91,10 +91,10 @@ std::optional<size_t> ViewRounds::step(Renderer& renderer, References& reference
 
 void ViewRounds::judgeNow(size_t subject, Renderer& renderer, References& references, const TimedRounds::TargetOf& targetOf) {
     const ViewSubject& what = m_subjects[subject];
-    const FrameLog& log = what.shown ? *what.shown : timed(m_places[subject].own).judged();
+    const FrameLog& log = timed(m_places[subject].own).log;
     const auto truth = references.of(renderer, *what.buffers, what.view, what.strategy->referenceFacing());
     JudgedFrame judged = judge(renderer, *what.buffers, log, *truth, targetOf(what.view.viewport(), 0));
-    if (what.shown) m_figures[subject] = figuresOf(what, judged, *truth);
+    if (what.shown) m_figures[subject] = figuresOf(what, log, judged, *truth);
     judged.shown = {};
     m_judged[subject] = std::move(judged);
 }

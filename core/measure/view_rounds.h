@@ -14,17 +14,20 @@ struct ViewSubject {
     std::shared_ptr<const SceneBuffers> buffers;
     BuiltStrategyPointer strategy;
     View view;
-    std::vector<ViewStatePointer> memories;   ///< of its pictures, before the frame (TimedFrames)
-    std::shared_ptr<const FrameLog> shown{};  ///< the frame that the view shows (TimedFrames); null: none
-    BuiltStrategyPointer baseline{};          ///< is timed in the same turns, at the same view; null: none
-    bool judged = true;                       ///< false: only its times are wanted
+    std::vector<ViewStatePointer> memories;  ///< of its pictures, before the frame (TimedFrames)
+    /// The frame that the view shows already, decided with these memories, with its decisions recorded; null: none. It stands in
+    /// the place of the warm-up.
+    std::shared_ptr<const FrameLog> shown{};
+    BuiltStrategyPointer baseline{};  ///< is timed in the same turns, at the same view; null: none
+    bool judged = true;               ///< false: only its times are wanted
 };
 
-/// Speed and errors of a strategy at a view, as far as they are known. All counts, errors and states are of the one frame that
-/// the view shows; the times are of repetitions of that frame, which record no decisions.
+/// Speed and errors of a strategy at a view, as far as they are known. Counts and errors are of the first frame that was timed,
+/// as in a table. The states of triangles, which colour the picture, are of the frame that the view shows. The timed frames
+/// repeat that one, with the memory that it began with, but record no decisions.
 struct ViewFigures {
     double frameMilliseconds = 0.0;        ///< median, cull + draw
-    double cullMilliseconds = 0.0;         ///< median; until the view is timed, that of the shown frame
+    double cullMilliseconds = 0.0;         ///< median; until the view is timed, of its first timed frame
     std::optional<RatioEstimate> speedup;  ///< over the baseline: ratioOfTotals of this one view
     bool timed = false;                    ///< false: the errors are known, the speed is still being measured
     Submitted submitted;
@@ -37,7 +40,7 @@ struct ViewFigures {
     /// explain some (JudgedFrame).
     std::optional<uint64_t> missedBeyondSnapping;
 
-    std::shared_ptr<const TriangleStates> states;  ///< of every triangle, beside the truth
+    std::shared_ptr<const TriangleStates> states;  ///< of every triangle of the shown frame, beside the truth
     std::vector<Hole> holes;                       ///< largest first
     std::vector<LostObject> lostObjects;           ///< most pixels first
     /// The promise at this camera, which may be weaker than the strategy's general promise.
@@ -48,11 +51,11 @@ struct ViewFigures {
     [[nodiscard]] double submittedShare() const { return submitted.share(sceneTriangles); }
 };
 
-/// Measures strategies at their views, together: all are timed in turns (TimedRounds), their baselines among them, and one frame
-/// of each is judged against the truth. It is the frame that the view shows, which is judged first, so that its errors are known
-/// before its speed is; of a subject without one it is the first counted frame, which is judged last. Subjects that show a frame
-/// share their turns where a frame of theirs is the same work; that of a strategy with a memory is its own. A frame or a
-/// comparison a step, so that it can be left in between.
+/// Measures strategies at their views, together: all are timed in turns (TimedRounds), their baselines among them, and the first
+/// counted frame of each is judged against the truth. Of subjects that show a frame it is judged after the first turn that
+/// counts, so that their errors are known before their speed is; of the others after all turns. Subjects that show a frame share
+/// their turns where a frame of theirs is the same work; that of a strategy with a memory is its own. A frame or a comparison a
+/// step, so that it can be left in between.
 class ViewRounds {
 public:
     /// `backwards`: as of TimedRounds.
@@ -67,7 +70,7 @@ public:
     [[nodiscard]] bool timed() const { return m_rounds->complete(); }
     /// The first subject whose frame the next timing step draws; where a step threw, of that one. Not once all are timed.
     [[nodiscard]] size_t next() const;
-    /// Goes on without the frames of that one: it is neither timed nor judged, unless it shows a frame.
+    /// Goes on without the frames of that one: it is neither timed nor judged.
     void dropNext() { m_rounds->dropNext(); }
     [[nodiscard]] bool dropped(size_t subject) const { return timed(m_places[subject].own).dropped; }
 

@@ -26,10 +26,11 @@ struct Frames : ViewState {
 /// The how manieth frame of its memory each decision was, in the order of the decisions.
 using Noted = std::vector<uint64_t>;
 
-/// Draws one triangle less in every frame, so that no two frames are alike, and notes its decisions.
+/// Draws one triangle less in every frame of its memory, so that no two frames are alike, and notes its decisions. `unsteady`:
+/// one less in every frame of all, so that not even the frames that repeat one are like it.
 class Dwindling final : public StrategyWith<Structure, Frames> {
 public:
-    explicit Dwindling(std::shared_ptr<Noted> noted) : m_noted(std::move(noted)) {}
+    explicit Dwindling(std::shared_ptr<Noted> noted, bool unsteady) : m_noted(std::move(noted)), m_unsteady(unsteady) {}
     [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<Frames>(); }
 
 protected:
@@ -38,7 +39,7 @@ protected:
                 const ParameterSet& /*parameters*/) const override {
         m_noted->push_back(++state.drawn);
         DrawList list = everything(frame.scene(), Facing::TwoSided);
-        list.ranges.front().indexCount -= uint32_t(3 * state.drawn);
+        list.ranges.front().indexCount -= uint32_t(3 * (m_unsteady ? m_noted->size() : state.drawn));
         frame.draw(std::move(list));
     }
     [[nodiscard]] Promise promiseOf(const Structure& /*structure*/, const ParameterSet& /*parameters*/,
@@ -48,13 +49,14 @@ protected:
 
 private:
     std::shared_ptr<Noted> m_noted;
+    bool m_unsteady;
 };
 
-BuiltStrategyPointer dwindling(const ScenePointer& scene, std::shared_ptr<Noted> noted) {
+BuiltStrategyPointer dwindling(const ScenePointer& scene, std::shared_ptr<Noted> noted, bool unsteady = false) {
     RegisteredStrategy strategy;
     strategy.info.id = "dwindling";
     strategy.info.remembers = true;
-    strategy.strategy = std::make_shared<Dwindling>(std::move(noted));
+    strategy.strategy = std::make_shared<Dwindling>(std::move(noted), unsteady);
     const ParameterSet parameters(strategy.info.parameters);
     return std::make_shared<const BuiltStrategy>(strategy, parameters, strategy.strategy->build(scene, parameters, {}));
 }
@@ -105,7 +107,7 @@ protected:
     SceneBuffersPointer buffers;
 };
 
-TEST_F(ViewMeterTest, judgesTheFrameThatTheViewShowsAndDecidesNoOtherThanThoseThatItTimes) {
+TEST_F(ViewMeterTest, repeatsTheFrameThatTheViewShowsAndDecidesNoOtherThanThoseThatItTimes) {
     const auto noted = std::make_shared<Noted>();
     const BuiltStrategyPointer strategy = dwindling(experiment.scene, noted);
     TimingProtocol protocol;
@@ -124,7 +126,7 @@ TEST_F(ViewMeterTest, judgesTheFrameThatTheViewShowsAndDecidesNoOtherThanThoseTh
         EXPECT_FALSE(said[0].timed);
         EXPECT_FALSE(said[0].speedup.has_value());
         for (const ViewMetrics& figures : said) {
-            EXPECT_EQ(figures.frame, shown) << "one log for picture, panels and figures";
+            EXPECT_EQ(figures.frame, shown) << "one log for picture, panels and states";
             EXPECT_EQ(figures.accuracy.submittedTriangles, triangles - frame);
             EXPECT_EQ(figures.consideredTriangles, triangles - frame);
             const auto& counts = figures.states->counts;
@@ -133,6 +135,20 @@ TEST_F(ViewMeterTest, judgesTheFrameThatTheViewShowsAndDecidesNoOtherThanThoseTh
         EXPECT_EQ(*noted, Noted(1 + 3, frame)) << "the frame that is shown, and three repetitions of it, which are timed";
         EXPECT_EQ(frames->decided(0), frame);
     }
+}
+
+TEST_F(ViewMeterTest, judgesTheFirstFrameThatItTimesAsATableDoesAndNotTheOneThatTheViewShows) {
+    const auto noted = std::make_shared<Noted>();
+    const MetricsSubject what = subject(dwindling(experiment.scene, noted, true), 0);
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = 3;
+    const uint64_t triangles = experiment.scene->triangleCount();
+    for (const ViewMetrics& figures : measured(what, protocol)) {
+        EXPECT_EQ(figures.frame->log.consideredTriangles(), triangles - 1) << "the frame of the picture and the panels";
+        EXPECT_EQ(figures.accuracy.submittedTriangles, triangles - 2) << "the first timed one";
+        EXPECT_EQ(figures.consideredTriangles, triangles - 2);
+    }
+    EXPECT_EQ(noted->size(), 1u + 3u);
 }
 
 TEST_F(ViewMeterTest, aFrameThatIsNotShownYetIsDecidedForTheFiguresAndIsTheOneOfThePicture) {

@@ -29,7 +29,7 @@ struct ViewMetrics : ViewFigures {
     Message failure;
 
     MetricsSubject subject;  ///< the inputs of this measurement
-    ViewFramePointer frame;  ///< the one that was judged: that of the view's picture and panels
+    ViewFramePointer frame;  ///< of the view's picture and panels, which the timed frames repeat
 };
 
 }  // namespace cullscope::ui

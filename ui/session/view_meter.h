@@ -10,10 +10,10 @@
 
 namespace cullscope::ui {
 
-/// Says when core measures the views' strategies on the GPU thread (ViewRounds), and delivers the figures: the frame that a view
-/// shows is judged against the truth, and repetitions of it are timed in turns beside the baseline's. Its errors are delivered
-/// before its speed. Works in small steps, so that pictures are drawn in between. A newer request, or the loss of the thread's
-/// context, ends an older one after its present step; no further result of it is delivered.
+/// Says when core measures the views' strategies on the GPU thread (ViewRounds), and delivers the figures: repetitions of the
+/// frame that a view shows are timed in turns beside the baseline's, and the first of them is judged against the truth. Its
+/// errors are delivered before its speed. Works in small steps, so that pictures are drawn in between. A newer request, or the
+/// loss of the thread's context, ends an older one after its present step; no further result of it is delivered.
 class ViewMeter : public QObject {
     Q_OBJECT
 
