@@ -51,7 +51,19 @@ std::string usedParts(const RunMeasurement& run) {
 }
 
 std::string ratioText(const RatioEstimate& estimate) {
+    if (!estimate.hasInterval) return fmt::format("{:.2f}", estimate.ratio);
     return fmt::format("{:.2f} [{:.2f},{:.2f}]", estimate.ratio, estimate.ci95[0], estimate.ci95[1]);
+}
+
+/// What the intervals of frames that were drawn once do not say; empty where frames were repeated.
+std::string withoutRepetitions(const MeasureResult& result) {
+    const auto once = [](const RunMeasurement& run) {
+        return std::ranges::all_of(run.frames, [](const FrameMeasurement& frame) { return frame.repetitions == 1; });
+    };
+    if (!std::ranges::all_of(result.runs, once)) return {};
+    return result.runs.front().frames.size() == 1
+               ? "One repetition of one view: no interval."
+               : "One repetition: the intervals are of the scatter between the views; no view has one of its own.";
 }
 
 std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", baselineOf(role).id); }
@@ -75,6 +87,7 @@ void printTable(const MeasureResult& result, FILE* out) {
                    s.cullShare * 1000.0 / s.fpsOverall, losses ? std::to_string(losses->missedPixels) : "-",
                    losses ? std::to_string(losses->largestHolePixels) : "-");
     }
+    if (const std::string note = withoutRepetitions(result); !note.empty()) fmt::print(out, "{}\n", note);
     for (const RunMeasurement& run : result.runs)
         if (const std::string used = usedParts(run); !used.empty())
             fmt::print(out, "{} used {}\n", strategyLabel(run.strategy), used);

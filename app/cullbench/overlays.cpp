@@ -185,6 +185,14 @@ void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy,
         if (const std::optional<Message> why = strategy.whyNotShown(id, colouring, log)) throwUsage(why->text, why->arguments);
     };
     for (const std::string& id : overlayIds(choice.look)) require(id, {});
+    // Bounds in a form of the strategy's own have colours of their own.
+    const bool ownBoxes = strategy.info().first(Show::Kind::Boxes) != nullptr;
+    const auto ofPlane = [](const Decision& decision) { return decision.plane.has_value(); };
+    if (choice.look.has(Show::Kind::Planes) && (ownBoxes || std::ranges::none_of(log.decisions, ofPlane)))
+        throwUsage(
+            CULLSCOPE_TR("--box-colouring %1: \"%2\" tests no box against a plane of the frustum here, which could give it a "
+                         "colour. Leave it out."),
+            {byPlane().field.on, strategy.id()});
     if (!choice.picture.empty()) require(choice.picture, choice.colouring);
 }
 

@@ -55,10 +55,11 @@ Json frameJson(const FrameMeasurement& frame) {
     json["parts"] = Json::object();
     for (const CullPart& part : frame.parts)
         json["parts"][part.name] = {{"objects", part.objects}, {"culled_triangles", part.culledTriangles}};
-    json["case"] = nullptr;
     for (const NamedFigure& named : frame.figures) json[named.name] = numberJson(named.value);
     return json;
 }
+
+Json intervalJson(const RatioEstimate& estimate) { return estimate.hasInterval ? Json(estimate.ci95) : Json(nullptr); }
 
 Json summaryJson(const Summary& summary) {
     return {{"fps_overall", summary.fpsOverall},
@@ -72,13 +73,13 @@ Json summaryJson(const Summary& summary) {
             {"culled_fraction", summary.culledFraction},
             {"missed_pixel_rate", summary.missedPixelRate ? Json(*summary.missedPixelRate) : Json(nullptr)},
             {"ratio_to_all", summary.ratioToTriangles.ratio},
-            {"ratio_to_all_ci95", summary.ratioToTriangles.ci95},
+            {"ratio_to_all_ci95", intervalJson(summary.ratioToTriangles)},
             {"ratio_to_backface", summary.ratioToFrontFaces.ratio},
-            {"ratio_to_backface_ci95", summary.ratioToFrontFaces.ci95},
+            {"ratio_to_backface_ci95", intervalJson(summary.ratioToFrontFaces)},
             {"speedup_vs_all", summary.speedupVsTriangles.ratio},
-            {"speedup_vs_all_ci95", summary.speedupVsTriangles.ci95},
+            {"speedup_vs_all_ci95", intervalJson(summary.speedupVsTriangles)},
             {"speedup_vs_backface", summary.speedupVsFrontFaces.ratio},
-            {"speedup_vs_backface_ci95", summary.speedupVsFrontFaces.ci95}};
+            {"speedup_vs_backface_ci95", intervalJson(summary.speedupVsFrontFaces)}};
 }
 
 /// The fields of a run besides its frames; also the first columns of its CSV rows.

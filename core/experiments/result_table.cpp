@@ -34,7 +34,7 @@ Json rowJson(const ResultTable& table, const std::vector<CellValue>& row) {
         if (const auto* words = std::get_if<std::string>(&row[i])) json[key] = *words;
         if (const auto* estimate = std::get_if<RatioEstimate>(&row[i])) {
             json[key] = estimate->ratio;
-            json[key + "_ci95"] = estimate->ci95;
+            json[key + "_ci95"] = estimate->hasInterval ? Json(estimate->ci95) : Json(nullptr);
         }
     }
     return json;
@@ -163,9 +163,11 @@ std::optional<double> numberOf(const CellValue& value) {
 std::string valueText(const ResultColumn& column, const CellValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
     if (const auto* words = std::get_if<std::string>(&value)) return *words;
-    if (const auto* estimate = std::get_if<RatioEstimate>(&value))
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value)) {
+        if (!estimate->hasInterval) return numberText(column, estimate->ratio);
         return numberText(column, estimate->ratio) + " [" + numberText(column, estimate->ci95[0]) + ", " +
                numberText(column, estimate->ci95[1]) + "]";
+    }
     return "";
 }
 
@@ -198,7 +200,8 @@ std::string rowsCsv(const ResultTable& table) {
             csv += (i > 0 ? "," : "") + csvText(row[i]);
             if (!hasIntervals(table, i)) continue;
             const auto* estimate = std::get_if<RatioEstimate>(&row[i]);
-            csv += estimate ? fmt::format(",{},{}", estimate->ci95[0], estimate->ci95[1]) : std::string(",,");
+            const bool known = estimate != nullptr && estimate->hasInterval;
+            csv += known ? fmt::format(",{},{}", estimate->ci95[0], estimate->ci95[1]) : std::string(",,");
         }
         csv += '\n';
     }

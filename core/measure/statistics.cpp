@@ -68,7 +68,8 @@ RatioEstimate ratioOfTotals(std::span<const ViewTimes> views) {
         }
         ratio = ratioOf(sum);
     }
-    return {ratioOf(total), middle95(ratios)};
+    const bool once = std::ranges::all_of(views, [](const ViewTimes& view) { return pairsOf(view) <= 1; });
+    return {ratioOf(total), middle95(ratios), counted > 1 || !once};
 }
 
 RatioEstimate meanOfRatios(const std::vector<double>& ratios) {
@@ -81,7 +82,7 @@ RatioEstimate meanOfRatios(const std::vector<double>& ratios) {
         for (size_t i = 0; i < n; ++i) sum += ratios[random.bits() % n];
         mean = sum / double(n);
     }
-    return {std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(n), middle95(means)};
+    return {std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(n), middle95(means), n > 1};
 }
 
 double quantile(std::vector<double> values, double share) {

@@ -104,8 +104,8 @@ TEST_F(CullbenchContract, measureGivesEveryField) {
         ASSERT_EQ(run["frames"].size(), 3u);
         for (const char* field :
              {"pose", "frame_ms", "cull_ms", "considered_triangles", "visible_triangles", "missed_pixels", "extra_pixels",
-              "covered_pixels", "largest_hole_px", "false_culled_triangles", "case", "culled_outside_frustum",
-              "culled_back_facing", "culled_hidden", "culled_too_small", "culled_no_sample"})
+              "covered_pixels", "largest_hole_px", "false_culled_triangles", "culled_outside_frustum", "culled_back_facing",
+              "culled_hidden", "culled_too_small", "culled_no_sample"})
             EXPECT_TRUE(run["frames"][0].contains(field)) << field;
         for (const char* field : {"fps_overall", "fps_mean", "fps_min", "fps_max", "frame_ms_median", "frame_ms_p95",
                                   "cull_share", "culled_fraction", "missed_pixel_rate", "ratio_to_all", "ratio_to_all_ci95",

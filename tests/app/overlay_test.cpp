@@ -51,8 +51,19 @@ TEST_F(CullbenchOverlay, unknownOrUnavailableOneIsRefused) {
     expectRefusal(render(sphere, "frustum", "a.png", {"--drawn-only"}), "--overlay verdicts");
     expectRefusal(render(sphere, "frustum", "a.png", {"--box-colouring", "plane"}), "--overlay boxes");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "boxes", "--box-colouring", "red"}), "--box-colouring");
+    for (const char* id : {"spherical", "spherical-lossless", "bsp", "frustum-select"})
+        expectRefusal(render(sphere, id, "a.png", {"--overlay", "boxes", "--box-colouring", "plane"}),
+                      "--box-colouring plane: \"" + std::string(id) + "\" tests no box against a plane");
     expectRefusal(render(sphere, "frustum", "a.png", {"--view-eye", "1,2"}), "--view-eye");
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CullbenchOverlay, boxesAreColouredByPlaneWhereAStrategyTestsThemAgainstPlanes) {
+    for (const char* id : {"frustum", "frustum-octree", "octree-query", "small-feature"}) {
+        const ProcessResult result =
+            render("field:mesh=teapot,n=4,spacing=2.5", id, "a.png", {"--overlay", "boxes", "--box-colouring", "plane"});
+        EXPECT_EQ(result.exitStatus, 0) << id << ": " << result.err;
+    }
 }
 
 TEST_F(CullbenchOverlay, whatCannotBeShownIsRefused) {

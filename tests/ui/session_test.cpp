@@ -260,7 +260,7 @@ TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
         EXPECT_TRUE(figures.speedup.has_value());
     }
     // The strategy `backface` and its baseline are one measurement.
-    EXPECT_EQ(*session.figures(0).speedup, (RatioEstimate{1.0, {1.0, 1.0}}));
+    EXPECT_EQ(*session.figures(0).speedup, (RatioEstimate{1.0, {1.0, 1.0}, false}));
 }
 
 TEST(Session, truthIsComputedOnceForViewsThatShareIt) {

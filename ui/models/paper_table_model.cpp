@@ -17,6 +17,8 @@ QString numberText(const ResultColumn& column, double number) {
 QString cellText(const ResultColumn& column, const CellValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
     if (const auto* words = std::get_if<std::string>(&value)) return translated(*words);
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value); estimate && !estimate->hasInterval)
+        return numberText(column, estimate->ratio);
     if (const auto* estimate = std::get_if<RatioEstimate>(&value))
         return QStringLiteral("%1 [%2, %3]")
             .arg(numberText(column, estimate->ratio), numberText(column, estimate->ci95[0]),

@@ -126,7 +126,8 @@ void ParetoPlot::addRuns(LinePlot& plot, const PlotColours& colours) const {
         // Paler than the sweeps, which run the same way where nothing is missed.
         QColor pale = ofRuns[i];
         pale.setAlphaF(0.5F);
-        plot.lines.push_back(plainLine({}, {{run.speedup.ci95[0], y}, {run.speedup.ci95[1], y}}, {pale.rgba(), 1.5}));
+        if (run.speedup.hasInterval)
+            plot.lines.push_back(plainLine({}, {{run.speedup.ci95[0], y}, {run.speedup.ci95[1], y}}, {pale.rgba(), 1.5}));
         // The baselines, both grey, are a dark and a light one.
         const QColor grey = run.role == BaselineRole::Triangles ? colours.baselineCull : colours.ground;
         plot.marks.push_back({sweepOf(i) ? std::string() : run.label.toStdString(),

@@ -79,6 +79,7 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         rows.push_back(std::move(row));
     }
     return rows;
+    if (!estimate->hasInterval) return QStringLiteral("×%1").arg(ratio(estimate->ratio));
 }
 
 void ResultTableModel::setRows(std::vector<ResultRow> rows) {

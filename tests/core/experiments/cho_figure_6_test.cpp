@@ -111,8 +111,8 @@ TEST(ChoFigure6, rowsAreWhatWasMeasured) {
     EXPECT_EQ(number(table, 1, "paper_fps_mean"), 10.0);
     EXPECT_TRUE(empty(table, 3, "paper_fps_mean"));
     // The one estimate, of the view where it is the largest.
-    EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "speedup_vs_all_max")), (RatioEstimate{10.0, {10.0, 10.0}}));
-    EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 3, "speedup_vs_all_max")), (RatioEstimate{20.0, {20.0, 20.0}}));
+    EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "speedup_vs_all_max")), (RatioEstimate{10.0, {10.0, 10.0}, false}));
+    EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 3, "speedup_vs_all_max")), (RatioEstimate{20.0, {20.0, 20.0}, false}));
     EXPECT_NEAR(number(table, 1, "culled_fraction_max"), 8.0 / 9.0, 1e-3);
     EXPECT_EQ(number(table, 0, "culled_fraction_max"), 0.0);
     EXPECT_EQ(number(table, 1, "culled_fraction"), 0.56);

@@ -216,6 +216,16 @@ TEST(PaperTables, jsonHasThePapersAndOurNumbers) {
     for (const Json& column : written["columns"]) EXPECT_TRUE(row.contains(column["key"].get<std::string>())) << column;
 }
 
+TEST(PaperTables, aRatioWithoutAnIntervalStandsAlone) {
+    ResultTable table;
+    table.columns = {{"ratio_to_all", "ratio", ResultColumn::Origin::Measured, 2}};
+    table.addRow({{"ratio_to_all", RatioEstimate{2.0, {2.0, 2.0}, false}}});
+    EXPECT_EQ(valueText(table.columns[0], table.value(0, "ratio_to_all")), "2.00");
+    const Json row = Json::parse(tablesJson({table}))["experiments"][0]["rows"][0];
+    EXPECT_TRUE(row["ratio_to_all_ci95"].is_null());
+    EXPECT_EQ(rowsCsv(table), "ratio_to_all,ratio_to_all_low,ratio_to_all_high\n2,,\n");
+}
+
 TEST(PaperTables, csvRowsAreOfOneLength) {
     const Experiment& experiment = findExperiment("table-2");
     ResultTable table = emptyTable(experiment);

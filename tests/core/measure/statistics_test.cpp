@@ -60,7 +60,8 @@ TEST(RatioOfTotals, equalTimesAreExactlyOne) {
         for (const size_t repetitions : {1u, 2u, 3u, 8u}) {
             std::vector<ViewTimes> times;
             for (const std::vector<double>& view : baselineTimes(views, repetitions, random)) times.push_back({view, view});
-            EXPECT_EQ(ratioOfTotals(times), (RatioEstimate{1.0, {1.0, 1.0}})) << views << " views, " << repetitions << " times";
+            EXPECT_EQ(ratioOfTotals(times), (RatioEstimate{1.0, {1.0, 1.0}, views * repetitions > 1}))
+                << views << " views, " << repetitions << " times";
         }
 }
 
@@ -125,7 +126,16 @@ TEST(RatioOfTotals, onlyPairsCount) {
     const std::vector<ViewTimes> nothing{{{}, {}}, {{1, 2}, {}}};
     EXPECT_EQ(ratioOfTotals(nothing), RatioEstimate());
     const std::vector<ViewTimes> some{{{6}, {2}}, {{100}, {}}};
-    EXPECT_EQ(ratioOfTotals(some), (RatioEstimate{3.0, {3.0, 3.0}}));
+    EXPECT_EQ(ratioOfTotals(some), (RatioEstimate{3.0, {3.0, 3.0}, false}));
+}
+
+TEST(RatioOfTotals, aSingleNumberHasNoInterval) {
+    const ViewTimes once{{6}, {2}}, twice{{6, 7}, {2, 2}};
+    EXPECT_FALSE(ratioOfTotals(std::vector{once}).hasInterval) << "one view, drawn once";
+    EXPECT_TRUE(ratioOfTotals(std::vector{twice}).hasInterval);
+    EXPECT_TRUE(ratioOfTotals(std::vector{once, once}).hasInterval) << "over the views";
+    EXPECT_FALSE(meanOfRatios({3.0}).hasInterval);
+    EXPECT_TRUE(meanOfRatios({3.0, 4.0}).hasInterval);
 }
 
 /// The share of experiments with a known ratio whose interval holds it. The ratio varies from view to view about it; the views of
