@@ -41,6 +41,10 @@ const BuiltStrategyPointer& ViewBaseline::of(const ScenePointer& scene, Structur
     return m_built;
 }
 
+void ViewBaseline::leaveOthers(const ScenePointer& scene) {
+    if (m_built && m_built->scenePointer() != scene) m_built.reset();
+}
+
 Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
                              const Progress& progress) {
     requireSomething(request);

@@ -103,6 +103,8 @@ struct Contestant {
 class ViewBaseline {
 public:
     [[nodiscard]] const BuiltStrategyPointer& of(const ScenePointer& scene, StructureStore& structures);
+    /// Leaves what was built for another scene, so that it does not keep that scene alive.
+    void leaveOthers(const ScenePointer& scene);
 
 private:
     BuiltStrategyPointer m_built;

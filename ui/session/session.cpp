@@ -179,6 +179,8 @@ void Session::showScene(const ScenePointer& scene) {
     m_scene = scene;
     setGroup(std::nullopt);
     m_frames->interrupt(std::nullopt);
+    cancelFigures();
+    if (m_meter) m_meter->leaveOthers(scene);
     m_objects.clear();
     for (uint32_t object = 0; object < m_hidden.size(); ++object)
         if (!m_hidden[object]) m_objects.push_back(object);

@@ -126,6 +126,15 @@ void ViewMeter::cancel() {
     beginAnew();
 }
 
+void ViewMeter::leaveOthers(const ScenePointer& scene) {
+    cancel();
+    // Behind the step in hand, after which nothing of the former request follows.
+    m_gpu.post([bench = m_bench, scene] {
+        bench->baseline.leaveOthers(scene);
+        bench->references.keep([&](const ScenePointer& known, const Camera&, const Viewport&) { return known == scene; });
+    });
+}
+
 void ViewMeter::measure(std::vector<Subject> subjects) {
     beginAnew();
     // What the loss of the context ends is asked for again with the buffers of the new one.

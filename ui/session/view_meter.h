@@ -36,6 +36,8 @@ public:
     void measure(std::vector<Subject> subjects);
     /// Drops what was asked for; a frame that is being timed ends where its strategy looks for a stop request.
     void cancel();
+    /// Drops what was asked for, and leaves what is known of other scenes: one that is closed is not kept alive here.
+    void leaveOthers(const ScenePointer& scene);
     /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
     [[nodiscard]] size_t referencesComputed();
 
