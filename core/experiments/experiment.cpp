@@ -173,6 +173,7 @@ MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene,
     request.upload = setting.upload;
     request.timing = setting.timing;
     if (repetitions > 0) request.timing.fixedRepetitions = repetitions;
+    request.baselinesToo = setting.baselinesToo;
     request.refusalsAreResults = setting.refusalsAreResults;
     request.secondsOfAStrategy = setting.secondsOfAStrategy;
     return request;

@@ -45,12 +45,13 @@ struct Setting {
     int windows = 1;
     Upload upload = Upload::Vbo;
     TimingProtocol timing{};                                              ///< but for the repetitions where the user states them
+    bool baselinesToo = false;                                            ///< MeasureRequest
     bool refusalsAreResults = false;                                      ///< MeasureRequest
     double secondsOfAStrategy = std::numeric_limits<double>::infinity();  ///< MeasureRequest
     Row labels{};                                                         ///< of each of its rows
     std::map<std::string, Row> stated{};                                  ///< what the source states, by `strategyText`
 
-    [[nodiscard]] bool timed() const { return !strategies.empty(); }
+    [[nodiscard]] bool timed() const { return baselinesToo || !strategies.empty(); }
     /// A label that is a number, or words; both must be there.
     [[nodiscard]] double number(const std::string& label) const { return std::get<double>(labels.at(label)); }
     [[nodiscard]] const std::string& words(const std::string& label) const { return std::get<std::string>(labels.at(label)); }

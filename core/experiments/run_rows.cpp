@@ -11,6 +11,8 @@ void addLosses(Row& cells, const RunMeasurement& run) {
     if (!losses) return;
     cells["missed_pixels"] = double(losses->missedPixels);
     cells["largest_hole_px"] = double(losses->largestHolePixels);
+    if (losses->beyondSnapping) cells["missed_beyond_snapping"] = double(losses->missedBeyondSnapping);
+    if (losses->worstPose) cells["worst_pose"] = double(*losses->worstPose);
     if (run.summary.missedPixelRate) cells["missed_pixel_rate"] = *run.summary.missedPixelRate;
 }
 
@@ -23,6 +25,7 @@ Row rowCells(const Setting& setting, const RunMeasurement& run) {
         cells.insert(stated->second.begin(), stated->second.end());
     const Summary& summary = run.summary;
     cells["strategy"] = strategy;
+    cells["promise"] = std::string(promiseId(run.promise));
     cells["poses"] = double(run.frames.size());
     cells["fps_overall"] = summary.fpsOverall;
     cells["fps_max"] = summary.fpsMax;

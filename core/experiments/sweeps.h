@@ -20,7 +20,8 @@ struct ParameterSweep {
 
 /// Sweeps as an experiment of one setting, each an axis: all their values are measured in turns, each strategy once, also where
 /// several sweeps contain it. A row is one value of one sweep. `beside`: strategies measured along with them, as
-/// `strategyFromText` reads them, with a row each. The caller states scene, path and size. Throws Error(Usage) for a strategy,
+/// `strategyFromText` reads them, with a row each. `cullbench sweep` prints its table; the desktop's statistics page shows the
+/// rows of what it measures by the same columns. The caller states scene, path and size. Throws Error(Usage) for a strategy,
 /// parameter or value that does not exist.
 [[nodiscard]] Experiment sweepExperiment(const std::vector<ParameterSweep>& sweeps, const std::vector<std::string>& beside = {});
 

@@ -179,7 +179,7 @@ TEST_F(FailingPlaces, statisticsThatCannotBeWrittenAreOneSentence) {
     MeasureResult result = madeUpResult();
     result.request.scene = session.opened()->scene;
     panel->setRunning(true);
-    panel->setResult(result);
+    panel->setResult(tableOf(result), result);
     panel->setRunning(false);
     panel->showTab(StatisticsPanel::Times);
     using File = StatisticsPanel::File;

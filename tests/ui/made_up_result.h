@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/experiments/sweeps.h"
 #include "core/measure/accuracy.h"
 #include "tests/support/small_experiment.h"
 
@@ -47,6 +48,14 @@ inline MeasureResult madeUpResult() {
     result.request.strategies[2].parameters.setFromText("box", "length");
     result.runs[2].strategy = result.request.strategies[2];
     return result;
+}
+
+/// The table of a measurement whose strategies no sweep varies.
+inline ResultTable tableOf(const MeasureResult& result) {
+    const Experiment experiment = sweepExperiment({});
+    ResultTable table = emptyTable(experiment);
+    addRuns(table, experiment, experiment.settings.front(), result);
+    return table;
 }
 
 }  // namespace cullscope::ui

@@ -32,7 +32,7 @@ protected:
 
     void showResult() {
         panel.setRunning(true);
-        panel.setResult(result);
+        panel.setResult(tableOf(result), result);
         panel.setRunning(false);
         ASSERT_TRUE(QTest::qWaitFor([this] { return panel.model().rowCount() == 3; }, kPatience));
     }
@@ -97,7 +97,7 @@ TEST_F(Panel, pathFileIsChosenAndABadOneIsOneSentence) {
 TEST_F(Panel, resultOfAnotherSceneIsDropped) {
     MeasureResult other = madeUpResult();
     panel.setRunning(true);
-    panel.setResult(other);
+    panel.setResult(tableOf(other), other);
     QTest::qWait(200);
     EXPECT_EQ(panel.model().rowCount(), 0);
     showResult();
@@ -111,7 +111,7 @@ TEST_F(Panel, tablesRefreshAtMostTenTimesASecond) {
     int refreshes = 0;
     QObject::connect(&panel.model(), &QAbstractItemModel::dataChanged, [&] { ++refreshes; });
     QObject::connect(&panel.model(), &QAbstractItemModel::modelReset, [&] { ++refreshes; });
-    for (int i = 0; i < 50; ++i) panel.setResult(result);
+    for (int i = 0; i < 50; ++i) panel.setResult(tableOf(result), result);
     EXPECT_EQ(refreshes, 1) << "the first at once, the rest later";
     ASSERT_TRUE(QTest::qWaitFor([&] { return refreshes == 2; }, kPatience)) << "the last is never left out";
 }

@@ -2,7 +2,9 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <set>
 
+#include "core/experiments/sweeps.h"
 #include "ui/statistics/run_figures.h"
 #include "ui/text/wording.h"
 
@@ -20,19 +22,64 @@ ResultRow emptyRow(const StrategyRequest& strategy, Promise promise) {
     return row;
 }
 
-void addLosses(ResultRow& row, const RunMeasurement& run) {
-    const std::optional<Losses> losses = run.losses();
-    if (!losses || !run.summary.missedPixelRate) return;
-    row.missedPixels = losses->missedPixels;
-    if (losses->beyondSnapping) row.missedBeyondSnapping = losses->missedBeyondSnapping;
-    row.worstPose = losses->worstPose;
-    row.missedPpm = kMillion * *run.summary.missedPixelRate;
+/// A row of a sweep's table; what is not known there is empty.
+class SweepRow {
+public:
+    SweepRow(const ResultTable& table, size_t row) : m_table(table), m_row(row) {}
+
+    /// The strategy with the value that the row's sweep gives it.
+    [[nodiscard]] StrategyRequest strategy() const {
+        StrategyRequest request = strategyFromText(words("strategy").value_or(std::string()));
+        if (const std::optional<std::string> key = words("parameter")) request.parameters.setFromText(*key, *words("value"));
+        return request;
+    }
+    [[nodiscard]] std::optional<std::string> words(const char* key) const { return value<std::string>(key); }
+    [[nodiscard]] std::optional<double> number(const char* key) const { return value<double>(key); }
+    [[nodiscard]] std::optional<uint64_t> count(const char* key) const {
+        const std::optional<double> found = number(key);
+        return found ? std::optional(uint64_t(*found)) : std::nullopt;
+    }
+    [[nodiscard]] std::optional<RatioEstimate> estimate(const char* key) const { return value<RatioEstimate>(key); }
+
+private:
+    template <typename Value>
+    [[nodiscard]] std::optional<Value> value(const char* key) const {
+        const CellValue cell = m_table.value(m_row, key);
+        const auto* found = std::get_if<Value>(&cell);
+        return found != nullptr ? std::optional(*found) : std::nullopt;
+    }
+
+    const ResultTable& m_table;
+    size_t m_row;
+};
+
+Promise promiseOf(const std::optional<std::string>& id) {
+    for (const Promise promise : {Promise::Exact, Promise::Conservative})
+        if (id == promiseId(promise)) return promise;
+    return Promise::Approximate;
+}
+
+ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
+    ResultRow row = emptyRow(strategy, promiseOf(measured.words("promise")));
+    row.speedup = measured.estimate("ratio_to_backface");
+    row.speedupOverTriangles = measured.estimate("ratio_to_all");
+    row.fpsOverall = measured.number("fps_overall");
+    row.fpsMin = measured.number("fps_min");
+    row.fpsMax = measured.number("fps_max");
+    row.cullShare = measured.number("cull_share");
+    if (const std::optional<double> culled = measured.number("culled_fraction")) row.submittedShare = 1.0 - *culled;
+    row.missedPixels = measured.count("missed_pixels");
+    row.missedBeyondSnapping = measured.count("missed_beyond_snapping");
+    if (const std::optional<double> rate = measured.number("missed_pixel_rate")) row.missedPpm = kMillion * *rate;
+    row.worstPose = measured.count("worst_pose");
+    return row;
 }
 
 QString ratio(double value) { return QLocale().toString(value, 'f', 2); }
 
 QString speed(const std::optional<RatioEstimate>& estimate) {
     if (!estimate) return {};
+    if (!estimate->hasInterval) return QStringLiteral("×%1").arg(ratio(estimate->ratio));
     return QStringLiteral("×%1 [%2, %3]").arg(ratio(estimate->ratio), ratio(estimate->ci95[0]), ratio(estimate->ci95[1]));
 }
 
@@ -40,24 +87,25 @@ QString percent(const std::optional<double>& share) { return share ? percentText
 
 }  // namespace
 
-std::vector<ResultRow> resultRows(const MeasureResult& result) {
+std::vector<ResultRow> resultRows(const ResultTable& table) {
     std::vector<ResultRow> rows;
-    for (const RunMeasurement& run : result.runs) {
-        if (run.frames.empty()) continue;
-        ResultRow row = emptyRow(run.strategy, run.promise);
-        const Summary& summary = run.summary;
-        row.promiseBroken = run.promiseBroken();
-        row.speedup = summary.ratioToFrontFaces;
-        row.speedupOverTriangles = summary.ratioToTriangles;
-        row.fpsOverall = summary.fpsOverall;
-        row.fpsMin = summary.fpsMin;
-        row.fpsMax = summary.fpsMax;
-        row.cullShare = summary.cullShare;
-        row.submittedShare = 1.0 - summary.culledFraction;
-        addLosses(row, run);
-        rows.push_back(std::move(row));
+    std::set<std::string> known;
+    for (size_t i = 0; i < table.rows.size(); ++i) {
+        const SweepRow measured(table, i);
+        const StrategyRequest strategy = measured.strategy();
+        const std::string text = strategyText(strategy);
+        if (!known.insert(text).second) continue;
+        rows.push_back(resultRow(measured, strategy));
+        rows.back().promiseBroken = std::ranges::find(table.brokenPromises, text) != table.brokenPromises.end();
     }
     return rows;
+}
+
+std::vector<ResultRow> resultRows(const MeasureResult& result) {
+    const Experiment experiment = sweepExperiment({});
+    ResultTable table = emptyTable(experiment);
+    addRuns(table, experiment, experiment.settings.front(), result);
+    return resultRows(table);
 }
 
 std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
@@ -79,7 +127,6 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         rows.push_back(std::move(row));
     }
     return rows;
-    if (!estimate->hasInterval) return QStringLiteral("×%1").arg(ratio(estimate->ratio));
 }
 
 void ResultTableModel::setRows(std::vector<ResultRow> rows) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/experiments/result_table.h"
 #include "core/measure/meter.h"
 #include "ui/jobs/view_metrics.h"
 
@@ -31,6 +32,9 @@ struct ResultRow {
     std::optional<size_t> worstPose;  ///< pose with the most missed pixels; none if no pixel is missed
 };
 
+/// The rows of a sweep's table (sweepExperiment), each strategy once, though several sweeps contain it.
+[[nodiscard]] std::vector<ResultRow> resultRows(const ResultTable& table);
+/// The same of a measurement whose strategies no sweep varies.
 [[nodiscard]] std::vector<ResultRow> resultRows(const MeasureResult& result);
 [[nodiscard]] std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views);
 

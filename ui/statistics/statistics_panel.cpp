@@ -188,8 +188,9 @@ void StatisticsPanel::setLive(std::vector<LiveFigures> views) {
     if (!showsExperiment()) scheduleRefresh();
 }
 
-void StatisticsPanel::setResult(const MeasureResult& result) {
+void StatisticsPanel::setResult(const ResultTable& table, const MeasureResult& result) {
     if (result.request.scene != m_scene) return;
+    m_resultTable = table;
     m_result = result;
     scheduleRefresh();
 }
@@ -221,7 +222,7 @@ void StatisticsPanel::refresh() {
     m_pause.start();
     const std::vector<RunFigures> runs = m_result ? runFigures(*m_result) : std::vector<RunFigures>();
     if (showsExperiment()) {
-        m_model->setRows(m_result ? resultRows(*m_result) : std::vector<ResultRow>());
+        m_model->setRows(m_result ? resultRows(m_resultTable) : std::vector<ResultRow>());
         m_times->setEntries(timesOf(runs));
     } else {
         m_model->setRows(liveRows(m_live));

@@ -50,8 +50,9 @@ public:
 
     /// Sets the metrics of the shown views at the present camera.
     void setLive(std::vector<LiveFigures> views);
-    /// Sets a partial or complete result. A result of another scene is ignored.
-    void setResult(const MeasureResult& result);
+    /// Sets a partial or complete result: the experiment's table (sweepExperiment), and the frames behind it. A result of another
+    /// scene is ignored.
+    void setResult(const ResultTable& table, const MeasureResult& result);
     /// Begins or ends an experiment. While it runs its result replaces the metrics at the present camera.
     void setRunning(bool running);
     void setProgress(double share, const QString& stage) { m_bar->setProgress(share, stage); }
@@ -124,6 +125,7 @@ private:
     SceneOrigin m_origin;
     std::vector<LiveFigures> m_live;
     std::optional<MeasureResult> m_result;
+    ResultTable m_resultTable;  ///< with `m_result`
 };
 
 }  // namespace cullscope::ui

@@ -7,7 +7,7 @@
 namespace cullscope::ui {
 
 Experiments::Experiments(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_runner(new ExperimentRunner(session.gpu(), session.structures(), this)) {
+    : QObject(parent), m_session(session), m_runner(new SceneExperiment(session.gpu(), session.structures(), this)) {
     wire();
 }
 
@@ -21,19 +21,13 @@ void Experiments::wire() {
     });
     connect(&m_session, &Session::metricsChanged, this, live);
     connect(&m_session, &Session::viewCountChanged, this, live);
-    connect(m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
+    connect(m_runner, &SceneExperiment::progressed, this, [this](double share, const QString& stage) {
         for (StatisticsPanel* panel : m_panels) panel->setProgress(share, stage);
     });
-    connect(m_runner, &ExperimentRunner::partial, this, &Experiments::show);
-    connect(m_runner, &ExperimentRunner::finished, this, [this](const MeasureResult& result) {
-        show(result);
-        end();
-    });
-    connect(m_runner, &ExperimentRunner::cancelled, this, &Experiments::end);
-    connect(m_runner, &ExperimentRunner::failed, this, [this](const Message& message) {
-        end();
-        m_session.raise(Severity::Error, message);
-    });
+    connect(m_runner, &SceneExperiment::measured, this, &Experiments::show);
+    connect(m_runner, &SceneExperiment::ended, this, &Experiments::end);
+    connect(m_runner, &SceneExperiment::failed, this,
+            [this](const Message& message) { m_session.raise(Severity::Error, message); });
 }
 
 StatisticsPanel* Experiments::makePanel(QWidget* parent) {
@@ -41,7 +35,7 @@ StatisticsPanel* Experiments::makePanel(QWidget* parent) {
     m_panels.push_back(panel);
     connect(panel, &QObject::destroyed, this, [this, panel] { std::erase(m_panels, panel); });
     connect(panel, &StatisticsPanel::startRequested, this, &Experiments::start);
-    connect(panel, &StatisticsPanel::cancelRequested, m_runner, &ExperimentRunner::cancel);
+    connect(panel, &StatisticsPanel::cancelRequested, m_runner, &SceneExperiment::cancel);
     connect(panel, &StatisticsPanel::poseChosen, this, &Experiments::goToPose);
     connect(panel, &StatisticsPanel::failed, this, [this](const Message& message) { m_session.raise(Severity::Error, message); });
     connect(panel, &StatisticsPanel::exported, this, [this](const QString& path) {
@@ -52,7 +46,7 @@ StatisticsPanel* Experiments::makePanel(QWidget* parent) {
     if (m_session.opened()) showScene(*panel);
     showLive(*panel);
     panel->setRunning(m_running);
-    if (m_result) panel->setResult(*m_result);
+    if (m_result) panel->setResult(m_table, *m_result);
     return panel;
 }
 
@@ -61,9 +55,10 @@ void Experiments::setRecordedPath(const std::optional<CameraPath>& path) {
     for (StatisticsPanel* panel : m_panels) panel->setRecordedPath(path);
 }
 
-void Experiments::show(const MeasureResult& result) {
+void Experiments::show(const ResultTable& table, const MeasureResult& result) {
+    m_table = table;
     m_result = result;
-    for (StatisticsPanel* panel : m_panels) panel->setResult(result);
+    for (StatisticsPanel* panel : m_panels) panel->setResult(table, result);
 }
 
 void Experiments::showScene(StatisticsPanel& panel) const {
@@ -76,20 +71,25 @@ void Experiments::start(const ExperimentSettings& settings) {
     std::vector<std::string> beside;
     if (settings.sweeps.empty())
         for (const StrategyRequest& strategy : shownStrategies()) beside.push_back(strategyText(strategy));
-    Setting setting = sweepExperiment(settings.sweeps, beside).settings.front();
-    setting.size = settings.size;
+    Experiment experiment = sweepExperiment(settings.sweeps, beside);
+    Setting& setting = experiment.settings.front();
     // Hidden objects are measured too: the result names the scene's file, so it must be of the whole scene.
-    MeasureRequest request = measureRequest(setting, m_session.opened()->scene, settings.path, settings.repetitions);
+    setting.scene = m_session.opened()->specification;
+    setting.path = settings.path.name;
+    setting.views = [path = settings.path](const Scene&) { return path; };
+    setting.size = settings.size;
     // The time bars and the table show every strategy beside the baselines.
-    request.baselinesToo = true;
-    request.leaveOutUnavailable = false;
+    setting.baselinesToo = true;
+    for (const StrategyRequest& strategy : requestsOf(setting))
+        if (const std::optional<Message> why = m_session.unavailable(findStrategy(strategy.id).info))
+            return m_session.raise(Severity::Error, *why);
     m_path = settings.path;
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
     m_running = true;
     m_result.reset();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(true);
-    m_runner->start(request, m_session.buffers(request.upload));
+    m_runner->start(experiment, m_session.opened()->scene, settings.repetitions, m_session.buffers(setting.upload));
 }
 
 std::vector<StrategyRequest> Experiments::shownStrategies() const {
@@ -106,7 +106,6 @@ std::vector<StrategyRequest> Experiments::shownStrategies() const {
 
 void Experiments::end() {
     m_running = false;
-    m_runner->leaveStructures();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(false);
     m_session.setMeasuring(true);
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/jobs/experiment_runner.h"
+#include "ui/jobs/scene_experiment.h"
 #include "ui/session/session.h"
 #include "ui/statistics/statistics_panel.h"
 
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] StatisticsPanel* makePanel(QWidget* parent = nullptr);
     /// Offers a recorded camera path for experiments; none withdraws it.
     void setRecordedPath(const std::optional<CameraPath>& path);
-    [[nodiscard]] ExperimentRunner& runner() { return *m_runner; }
+    [[nodiscard]] SceneExperiment& runner() { return *m_runner; }
 
 private:
     void wire();
@@ -30,16 +30,17 @@ private:
     /// The strategies of the shown views, each once.
     [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
-    void show(const MeasureResult& result);
+    void show(const ResultTable& table, const MeasureResult& result);
     void goToPose(int pose);
     void showLive(StatisticsPanel& panel) const;
     void showScene(StatisticsPanel& panel) const;
 
     Session& m_session;
-    ExperimentRunner* m_runner;
+    SceneExperiment* m_runner;
     std::vector<StatisticsPanel*> m_panels;
     std::optional<CameraPath> m_recorded;
     std::optional<MeasureResult> m_result;  ///< the newest one, partial or complete
+    ResultTable m_table;                    ///< of that result
     bool m_running = false;
     CameraPath m_path;  ///< of the newest experiment
 };
