@@ -24,12 +24,22 @@ StructurePointer StructureStore::get(const RegisteredStrategy& strategy, const P
     place->structure = made;
     const std::lock_guard counting(m_mutex);
     ++m_built;
+    std::erase_if(m_made, [](const auto& other) { return other.expired(); });
+    m_made.push_back(made);
     return made;
 }
 
 size_t StructureStore::built() const {
     const std::lock_guard lock(m_mutex);
     return m_built;
+}
+
+uint64_t StructureStore::bytes() const {
+    const std::lock_guard lock(m_mutex);
+    uint64_t bytes = 0;
+    for (const std::weak_ptr<const Structure>& one : m_made)
+        if (const StructurePointer structure = one.lock()) bytes += structure->report.bytes;
+    return bytes;
 }
 
 std::shared_ptr<StructureStore::Place> StructureStore::placeOf(const Key& key) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <mutex>
+#include <vector>
 
 #include "core/visibility/registry.h"
 
@@ -17,6 +18,8 @@ public:
                                        const ScenePointer& scene, const Progress& progress = {});
     /// How many structures were built so far.
     [[nodiscard]] size_t built() const;
+    /// Bytes of those that have users (StructureReport::bytes), each structure once.
+    [[nodiscard]] uint64_t bytes() const;
 
 private:
     struct Key {
@@ -36,6 +39,7 @@ private:
     mutable std::mutex m_mutex;
     std::map<Key, std::shared_ptr<Place>> m_places;
     size_t m_built = 0;
+    std::vector<std::weak_ptr<const Structure>> m_made;  ///< those built, but for some that are freed
 };
 
 }  // namespace cullscope

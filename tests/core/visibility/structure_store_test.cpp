@@ -28,6 +28,21 @@ TEST(StructureStore, eightOfOneStrategyShareOneStructure) {
     for (const BuiltStrategyPointer& view : views) EXPECT_EQ(view->structure(), views.front()->structure());
 }
 
+TEST(StructureStore, countsTheBytesOfStructuresThatHaveUsersEachOnce) {
+    const ScenePointer scene = sceneOf({starMesh(7, 3'000)});
+    StructureStore store;
+    EXPECT_EQ(store.bytes(), 0u);
+    BuiltStrategyPointer one = buildStrategy("spherical-lossless", losslessWith(), scene, store);
+    const BuiltStrategyPointer same = buildStrategy("spherical-lossless", losslessWith("cones", "off"), scene, store);
+    const uint64_t ofOne = one->report().bytes;
+    EXPECT_GT(ofOne, 10'000u);
+    EXPECT_EQ(store.bytes(), ofOne) << "of both together";
+    BuiltStrategyPointer other = buildStrategy("spherical-lossless", losslessWith("level", "3"), scene, store);
+    EXPECT_EQ(store.bytes(), ofOne + other->report().bytes);
+    other.reset();
+    EXPECT_EQ(store.bytes(), ofOne);
+}
+
 TEST(StructureStore, parameterOfCullingBuildsNothingAndOneOfBuildingOneMore) {
     const ScenePointer scene = sceneOf({starMesh(7, 3'000)});
     StructureStore store;
