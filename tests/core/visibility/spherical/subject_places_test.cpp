@@ -1,5 +1,6 @@
 // Where rays, cells, regions and bands lie that the steps of the spherical strategies speak of.
 
+#include "core/visibility/spherical/map_details.h"
 #include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/subject_shape.h"
 #include "tests/support/spherical_scenes.h"
