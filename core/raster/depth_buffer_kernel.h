@@ -61,10 +61,10 @@ inline void cutAtPicture(const RasterBand& band, int32_t column, int32_t row, Ti
     for (int half = 0; half < 2; ++half) covered[half] &= (kColumns + column < band.width) & (kRows[half] + row < band.endRow);
 }
 
-/// Whether a centre on the edge from corner i to the next one belongs to the triangle: a left edge goes down, one at the top goes
-/// to the left.
+/// Whether a centre on the edge from corner i to the next one belongs to the triangle: a left edge goes down, one at the bottom
+/// goes to the right.
 inline bool ownsEdge(const ScreenTriangle& triangle, int i, int next) {
-    return triangle.y[next] < triangle.y[i] || (triangle.y[next] == triangle.y[i] && triangle.x[next] < triangle.x[i]);
+    return triangle.y[next] < triangle.y[i] || (triangle.y[next] == triangle.y[i] && triangle.x[next] > triangle.x[i]);
 }
 
 inline int64_t floorOf(int64_t dividend, int64_t divisor) {
@@ -206,8 +206,8 @@ inline void setUpEight(const PartInBand& part, Batch& batch, size_t first, const
     for (int i = 0; i < 3; ++i) {
         const int next = i == 2 ? 0 : i + 1;
         const Ints dx = x[next] - x[i], dy = y[next] - y[i];
-        // A centre on a left edge, or on one at the top, belongs to the triangle (ownsEdge); else it must lie beyond it.
-        const Ints owned = (dy < 0) | ((dy == 0) & (dx < 0));
+        // A centre on a left edge, or on one at the bottom, belongs to the triangle (ownsEdge); else it must lie beyond it.
+        const Ints owned = (dy < 0) | ((dy == 0) & (dx > 0));
         eight(&batch.edge[i][first]) = dx * (row * kSubPixels - y[i]) - dy * (column * kSubPixels - x[i]) - (owned + 1);
         eight(&batch.perColumn[i][first]) = dy * -kSubPixels;
         eight(&batch.perRow[i][first]) = dx * kSubPixels;

@@ -106,11 +106,11 @@ private:
             for (int i = 0; i < surface.edgeCount; ++i) surface.edges[i].goUp();
     }
 
-    /// Whether the row lies on a horizontal edge at the triangle's bottom, which does not belong to it.
-    static bool onBottomEdge(const ScreenTriangle& triangle, int row) {
+    /// Whether the row lies on a horizontal edge at the triangle's top, which does not belong to it.
+    static bool onTopEdge(const ScreenTriangle& triangle, int row) {
         for (int i = 0; i < 3; ++i) {
             const int next = (i + 1) % 3;
-            if (triangle.y[i] == row * kSubPixels && triangle.y[next] == triangle.y[i] && triangle.x[next] > triangle.x[i])
+            if (triangle.y[i] == row * kSubPixels && triangle.y[next] == triangle.y[i] && triangle.x[next] < triangle.x[i])
                 return true;
         }
         return false;
@@ -123,7 +123,7 @@ private:
             worked(2);
             Surface& surface = m_surfaces[i];
             const ScreenTriangle& triangle = *surface.triangle;
-            if (onBottomEdge(triangle, row)) continue;
+            if (onTopEdge(triangle, row)) continue;
             int64_t begin = triangle.firstColumn, end = triangle.endColumn;
             for (int e = 0; e < surface.edgeCount; ++e) {
                 const ActiveEdge& edge = surface.edges[e];

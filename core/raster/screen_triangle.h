@@ -14,7 +14,8 @@ inline constexpr int32_t kSubPixels = 256;
 
 /// A triangle on the raster of a picture. Its corners are whole numbers of 1/256 pixel, counted from the centre of the first
 /// pixel (rows from the bottom), in counter-clockwise order. A pixel belongs to it where its centre lies inside, or on a left
-/// edge, or on a horizontal edge at the top: then triangles that share an edge cover no pixel twice and leave none out.
+/// edge, or on a horizontal edge at the bottom: then triangles that share an edge cover no pixel twice and leave none out. This
+/// is the top-left rule for rows in the order of a framebuffer object's memory, whose first one is OpenGL's lowest.
 struct ScreenTriangle {
     int32_t x[3];
     int32_t y[3];

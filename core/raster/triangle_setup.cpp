@@ -138,8 +138,8 @@ bool coversCentre(const ScreenTriangle& triangle, int column, int row) {
         const int64_t dx = triangle.x[next] - triangle.x[i], dy = triangle.y[next] - triangle.y[i];
         const int64_t inside =
             dx * (int64_t(row) * kSubPixels - triangle.y[i]) - dy * (int64_t(column) * kSubPixels - triangle.x[i]);
-        // A left edge goes down, one at the top goes to the left: these own the centres on them.
-        if (inside < 0 || (inside == 0 && !(dy < 0 || (dy == 0 && dx < 0)))) return false;
+        // A left edge goes down, one at the bottom goes to the right: these own the centres on them.
+        if (inside < 0 || (inside == 0 && !(dy < 0 || (dy == 0 && dx > 0)))) return false;
     }
     return true;
 }

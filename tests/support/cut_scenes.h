@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/geometry/random.h"
+#include "core/scene/camera.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
@@ -39,6 +40,24 @@ inline ScenePointer coplanarTriangles(uint64_t count) {
             for (const uint32_t index : {at, at + 1, at + side + 2, at, at + side + 2, at + side + 1}) indices.push_back(index);
         }
     return sceneOf({meshOf(std::move(positions), std::move(indices))});
+}
+
+/// Five squares whose lower edge lies at y = 0, and five whose upper edge does, each along z before the next one. At an odd
+/// number of rows a level camera at that height sees these edges on the centres of the middle row.
+inline ScenePointer squaresAtEyeHeight() {
+    std::vector<Vec3f> corners;
+    for (int i = 0; i < 5; ++i)
+        for (const float side : {1.0f, -1.0f}) {
+            const float x = -1.5f + 0.5f * float(i) + (side < 0 ? 0.3f : 0.0f), z = -2.0f - float(i) + (side < 0 ? 0.5f : 0.0f);
+            const Vec3f a(x, 0, z), b(x + 0.7f, 0, z), c(x + 0.7f, side, z), d(x, side, z);
+            corners.insert(corners.end(), {a, b, c, a, c, d});
+        }
+    return sceneOf({soupMesh(std::move(corners))});
+}
+/// The i-th of eight level views on them.
+inline Camera levelCamera(int i) {
+    const Vec3 eye(0.1 * i - 0.4, 0, 3.0 - 0.1 * i);
+    return {eye, eye - Vec3(0, 0, 10), {0, 1, 0}, Angle::fromDegrees(60), 0.05, 100};
 }
 
 /// Three bars that overlap each other in a cycle, seen from (0, 0, 6): stability case 27.

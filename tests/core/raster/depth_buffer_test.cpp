@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/mesh/parametric.h"
+#include "tests/support/cut_scenes.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/pixel_edges.h"
 #include "tests/support/random_polygons.h"
@@ -28,20 +29,17 @@ uint64_t pixelsOf(const FinishedPicture& picture, uint32_t number) {
     return uint64_t(std::ranges::count(picture.triangle, number));
 }
 
-/// Case 28 of the battery has y downward; here it counts upward.
-std::array<Vec2, 3> upward(const Vec2& a, const Vec2& b, const Vec2& c, double height) {
-    return {Vec2(a.x, height - a.y), Vec2(b.x, height - b.y), Vec2(c.x, height - c.y)};
-}
-
 TEST(PixelRule, triangleAndItsComplementHaveTenAndSixPixels) {
+    // Case 28 of the battery counts rows as a framebuffer stores them, from its first one: so does the raster.
     const Viewport size{8, 8};
-    const auto triangle = upward({.5, .5}, {4.5, .5}, {.5, 4.5}, 8), complement = upward({4.5, .5}, {4.5, 4.5}, {.5, 4.5}, 8);
+    const std::array triangle{Vec2(.5, .5), Vec2(4.5, .5), Vec2(.5, 4.5)},
+        complement{Vec2(4.5, .5), Vec2(4.5, 4.5), Vec2(.5, 4.5)};
     EXPECT_EQ(pixelsOf(pictureOf({triangle}, size), 1), 10u);
     EXPECT_EQ(pixelsOf(pictureOf({complement}, size), 1), 6u);
     const FinishedPicture both = pictureOf({triangle, complement}, size);
     EXPECT_EQ(pixelsOf(both, 1), 10u) << "a pixel belongs to both";
     EXPECT_EQ(pixelsOf(both, 2), 6u);
-    EXPECT_EQ(both.triangle[size_t(7) * 8], 1u) << "the pixel at the upper left corner";
+    EXPECT_EQ(both.triangle[0], 1u) << "the pixel at the corner of the right angle";
 }
 
 TEST(PixelRule, trianglesAroundACornerCoverEveryPixelOnce) {
@@ -155,6 +153,30 @@ TEST(DepthBuffer, meshesAreAsOpenGlDrawsThemByBothFacingRules) {
             const Camera camera{distance * random.direction(), {0, 0, 0.1}, {0, 1, 0}, Angle::fromDegrees(60), 0.05, 20.0};
             expectAsOpenGl(scene, camera, kSize, facing, compared);
         }
+}
+
+TEST(DepthBuffer, edgesOnPixelCentresOfALevelCameraBelongToTheTrianglesThatOpenGlGivesThemTo) {
+    const ScenePointer sphere = sceneOf({sphereMesh(80), torusMesh(500)}, {Mat4(1.0), translation({2, 0, -3})});
+    Compared compared;
+    uint64_t onCentres = 0;
+    for (const Viewport size : {Viewport{33, 97}, {97, 33}, {33, 96}, {32, 97}, {1, 1}, {65, 1}})
+        for (const ScenePointer& scene : {squaresAtEyeHeight(), sphere})
+            for (int i = 0; i < 8; ++i) {
+                SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", view " + std::to_string(i));
+                const Camera camera = levelCamera(i);
+                expectAsOpenGl(scene, camera, size, Facing::TwoSided, compared);
+                const SceneOnRaster raster = trianglesOnRaster(*scene, View(camera, size), Facing::TwoSided);
+                for (size_t band = 0; band < raster.bands(); ++band)
+                    for (const ScreenTriangle& triangle : raster.trianglesIn(band))
+                        for (int corner = 0; corner < 3; ++corner) {
+                            const int next = (corner + 1) % 3;
+                            onCentres += triangle.y[corner] == triangle.y[next] && triangle.y[corner] % kSubPixels == 0 ? 1 : 0;
+                        }
+            }
+    EXPECT_GT(onCentres, 100u) << "horizontal edges through centres";
+    if (GlEnvironment::info().renderer.find("llvmpipe") == std::string::npos) return;
+    EXPECT_EQ(compared.differing, 0u) << "of " << compared.pixels;
+    EXPECT_EQ(compared.depths, 0u) << "of " << compared.pixels;
 }
 
 TEST(DepthBuffer, threadsAndInstructionSetsChangeNothing) {

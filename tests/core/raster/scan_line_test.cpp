@@ -42,6 +42,14 @@ Compared expectSame(const Scene& scene, const View& view, Facing facing = Facing
     return {buffer.total(), lines.total()};
 }
 
+TEST(ScanLine, horizontalEdgesOnPixelCentresAreAsTheDepthBufferDrawsThem) {
+    for (const Viewport size : {Viewport{33, 97}, {97, 33}, {33, 96}, {65, 1}})
+        for (int i = 0; i < 8; ++i) {
+            SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", view " + std::to_string(i));
+            expectSame(*squaresAtEyeHeight(), View(levelCamera(i), size));
+        }
+}
+
 TEST(ScanLine, randomPolygonsAreAsTheDepthBufferDrawsThem) {
     Compared sum;
     for (uint64_t seed = 0; seed < howMany(200, 200); ++seed) {
