@@ -71,6 +71,34 @@ TEST_F(QuestionAboutParts, stepsDoNotAnswerAnOpenQuestion) {
     EXPECT_TRUE(window.actions().stepThrough->isEnabled());
 }
 
+TEST_F(QuestionAboutParts, nothingIsRevealedBeforeSomethingWasPredicted) {
+    QPushButton& button = window.questionBar().revealButton();
+    const auto expectClosed = [&](const char* why) {
+        EXPECT_FALSE(button.isEnabled()) << why;
+        EXPECT_TRUE(button.toolTip().contains(QStringLiteral("Nothing was predicted"))) << why;
+        emit button.clicked();
+        EXPECT_TRUE(waitUntil([&] { return !session.pictures()->busy() && session.metricsSettled(); }));
+        QApplication::processEvents();
+        EXPECT_TRUE(session.question()) << why;
+        EXPECT_EQ(window.findChild<AnswerDialog*>(), nullptr) << why;
+    };
+    ask(Prediction::Question::Order);
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));
+    expectClosed("nothing is named");
+    click(inOrder[1], 1);
+    EXPECT_TRUE(button.isEnabled());
+    EXPECT_TRUE(button.toolTip().isEmpty());
+    click(inOrder[1], 0);
+    expectClosed("it was taken back");
+    choose(QuestionBar::entryOf(Prediction::Question::Place, Prediction::Items::Objects));
+    ASSERT_TRUE(waitUntil([&] { return window.questionBar().place().isVisible(); }));
+    click(inOrder[0], 1);
+    expectClosed("a part without a leaf");
+    window.questionBar().place().setCurrentIndex(1);
+    emit window.questionBar().place().activated(1);
+    EXPECT_TRUE(button.isEnabled());
+}
+
 TEST_F(QuestionAboutParts, orderIsThatOfTheKeyWithTheParts) {
     ask(Prediction::Question::Order);
     ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));

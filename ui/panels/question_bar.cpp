@@ -61,6 +61,9 @@ void QuestionBar::refresh() {
     if (!question) return;
     m_question->setCurrentIndex(entryOf(question->question, question->of));
     m_words->setText(words());
+    const bool answered = m_questions.isAnswered();
+    m_reveal->setEnabled(answered);
+    m_reveal->setToolTip(answered ? QString() : tr("Nothing was predicted yet: first click what you expect."));
     refreshPlaces();
 }
 

@@ -153,9 +153,16 @@ void QuestionFirst::withdraw() {
     m_session.setQuestion(std::nullopt);
 }
 
+bool QuestionFirst::isAnswered() const {
+    const std::optional<Prediction>& question = m_session.question();
+    if (!question || question->items.empty()) return false;
+    const auto isSaid = [](const std::optional<size_t>& place) { return place.has_value(); };
+    return question->question != Prediction::Question::Place || std::ranges::any_of(question->places, isSaid);
+}
+
 void QuestionFirst::reveal() {
     const std::optional<ViewRequest> request = m_session.viewRequest(m_session.activeView());
-    if (!m_session.question() || !request) return;
+    if (!isAnswered() || !request) return;
     GpuThread& gpu = *m_session.gpu();
     const auto compare = [this, &gpu, request = *request, prediction = *m_session.question(),
                           frames = m_session.frames()](GpuJobs::Step& step) {

@@ -29,7 +29,10 @@ public:
     void answerBy(const BuiltStrategy& strategy, const StructureSnapshot& snapshot, size_t node);
     /// Closes it without an answer.
     void withdraw();
-    /// Reads the frame, closes the question and emits `answered`. Does nothing where no question is open.
+    /// Whether the open question was answered at all: something is named, and of places, where at least one item is expected.
+    [[nodiscard]] bool isAnswered() const;
+    /// Reads the frame, closes the question and emits `answered`. Does nothing where no question is open, or before it
+    /// isAnswered: there would be nothing to compare with what happened.
     void reveal();
 
 signals:
