@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <ctime>
 #include <stop_token>
 #include <thread>
@@ -14,11 +15,13 @@ class WatchedWork {
 public:
     WatchedWork() {
         s_steps = 0;
+        s_pause = 0;
         s_longest = 0.0;
         s_last = ownMilliseconds();
         WorkCheck::observer = [](uint32_t steps) {
             s_steps += steps;
             while (s_steps >= s_holdAt) std::this_thread::yield();
+            if (const int pause = s_pause; pause > 0) std::this_thread::sleep_for(std::chrono::milliseconds(pause));
             tellTime();
         };
     }
@@ -30,6 +33,9 @@ public:
     /// Work waits at its look after so many steps, until it is let go on.
     void holdAt(uint64_t steps) const { s_holdAt = steps; }
     void letGoOn() const { s_holdAt = UINT64_MAX; }
+    /// Work sleeps so long at each of its looks from now on: so little is done while another thread gets to request a stop, and
+    /// what is done later shows.
+    void pauseAtEachLook(int milliseconds) const { s_pause = milliseconds; }
     /// The longest time between two looks for a stop request so far, and since the last one, in milliseconds that the calling
     /// thread itself worked: other programs on the machine do not count.
     [[nodiscard]] double longestGap() const {
@@ -51,6 +57,7 @@ private:
 
     static inline std::atomic<uint64_t> s_steps{0};
     static inline std::atomic<uint64_t> s_holdAt{UINT64_MAX};
+    static inline std::atomic<int> s_pause{0};
     static inline double s_last = 0.0, s_longest = 0.0;  ///< of the thread that works
 };
 
