@@ -206,14 +206,62 @@ namespace {
 constexpr double kNearAnEdge = 1.0 / 64;
 constexpr double kShift = 1.0 / 128;
 
+/// The reversed depth of a triangle's plane at a pixel's centre, and its change from one column and row to the next. In double:
+/// a raster's floats err by far more where a triangle is a sliver.
+struct DepthOfPlane {
+    double depth;
+    Vec2 perPixel;
+};
+
+DepthOfPlane depthOfPlaneAt(const Scene& scene, const View& view, uint64_t triangle, const Vec2& centre) {
+    const size_t number = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(number);
+    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
+    std::array<Vec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i)
+        corners[i] =
+            Vec3(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0)) - view.eye();
+    // A point at forward distance s in direction d lies in the plane where s (n·d) = n·corner; the depth is linear in 1 / s.
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double offset = glm::dot(normal, corners[0]);
+    const auto depthAt = [&](double x, double y) {
+        const double near = view.frustum().nearDistance, far = view.camera().farDistance;
+        const double inverse = glm::dot(normal, view.direction(x, y)) / offset;
+        return std::isinf(far) ? near * inverse : near * (far * inverse - 1.0) / (far - near);
+    };
+    const double depth = depthAt(centre.x, centre.y);
+    return {depth, {depthAt(centre.x + 1.0, centre.y) - depth, depthAt(centre.x, centre.y + 1.0) - depth}};
+}
+
+/// Whether two triangles' planes meet within 1/128 pixel of a pixel's centre, where both surfaces are cut, or have depths there
+/// that a float does not tell apart, as polygons in one plane.
+bool planesMeetAt(const Scene& scene, const View& view, uint64_t one, uint64_t other, const Vec2& centre) {
+    const DepthOfPlane a = depthOfPlaneAt(scene, view, one, centre), b = depthOfPlaneAt(scene, view, other, centre);
+    const double gap = std::abs(a.depth - b.depth);
+    return gap <= kTwoRoundings * std::max(a.depth, b.depth) || gap <= kShift * glm::length(a.perPixel - b.perPixel);
+}
+
 /// Whether the raster's snapping, or the rounding of two depths to float, explains that a triangle is shown at a pixel, or is
-/// not; `gap` is its depth beside the other's, `depth` the larger of them.
-bool snappingExplains(const Scene& scene, const View& view, uint32_t item, size_t pixel, double gap, double depth) {
+/// not; `gap` is its depth beside the other's, `depth` the larger of them. `other`: the scene's triangle there in the other
+/// picture, counted from 1; 0: none, or not known.
+bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint32_t other, size_t pixel, double gap,
+                      double depth) {
     if (gap <= kTwoRoundings * depth) return true;
     const auto width = static_cast<size_t>(view.viewport().width);
     const RasterTriangle triangle = rasterised(scene, view, item - 1);
     const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
-    return triangle.count > 0 && (distanceToEdges(triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(triangle));
+    if (triangle.count > 0 && (distanceToEdges(triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(triangle)))
+        return true;
+    if (other == 0) return false;
+    const RasterTriangle before = rasterised(scene, view, other - 1);
+    return (before.count > 0 && distanceToEdges(before, centre) <= kNearAnEdge) ||
+           planesMeetAt(scene, view, item - 1, other - 1, centre);
+}
+
+/// What a picture shows at a pixel as a triangle of the scene, counted from 1; 0: nothing, not known, or surfaces in place of the
+/// scene's.
+uint32_t sceneTriangleAt(const ShownPixels& shown, size_t pixel) {
+    return shown.triangle.empty() || shown.objects ? 0 : shown.triangle[pixel];
 }
 
 }  // namespace
@@ -223,7 +271,8 @@ uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& sho
     for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Missed || reference.triangle[pixel] == 0) continue;
         const double gap = double(reference.depth[pixel]) - double(shown.depth[pixel]);
-        if (!snappingExplains(scene, view, reference.triangle[pixel], pixel, gap, reference.depth[pixel])) ++beyond;
+        const uint32_t other = sceneTriangleAt(shown, pixel);
+        if (!snappingExplains(scene, view, reference.triangle[pixel], other, pixel, gap, reference.depth[pixel])) ++beyond;
     }
     return beyond;
 }
@@ -233,7 +282,8 @@ uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& show
     for (size_t pixel = 0; pixel < shown.triangle.size(); ++pixel) {
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Extra || shown.triangle[pixel] == 0) continue;
         const double gap = double(shown.depth[pixel]) - double(reference.depth[pixel]);
-        if (!snappingExplains(scene, view, shown.triangle[pixel], pixel, gap, shown.depth[pixel])) ++beyond;
+        const uint32_t other = shown.objects ? 0 : reference.triangle[pixel];
+        if (!snappingExplains(scene, view, shown.triangle[pixel], other, pixel, gap, shown.depth[pixel])) ++beyond;
     }
     return beyond;
 }

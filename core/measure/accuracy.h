@@ -63,8 +63,10 @@ struct ShownPixels {
 
 /// The number of missed pixels that the raster's snapping to 1/256 pixel does not explain. It explains a missed pixel whose
 /// centre lies within 1/64 pixel of an edge of the reference's triangle, or where the picture's surface lies behind that triangle
-/// by at most the depth change over 1/128 pixel or two units in the last place of a float (unresolved). `backface` promises 0 for
-/// a closed mesh seen from outside.
+/// by at most the depth change over 1/128 pixel or two units in the last place of a float (unresolved). Where the picture's
+/// triangle is known, one within 1/64 pixel of its edges is explained, too, and one where the planes of both triangles, in
+/// double, meet within 1/128 pixel of the centre or are unresolved there. `backface` promises 0 for a closed mesh seen from
+/// outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
 
@@ -84,8 +86,9 @@ struct JudgedFrame {
 [[nodiscard]] JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, const Reference& reference,
                                 Framebuffer& target);
 
-/// The same for extra pixels: explained where the centre lies near an edge of the triangle that the picture shows, or that
-/// triangle lies before the truth by at most the depth change over 1/128 pixel. Of frames that have triangle numbers.
+/// The same for extra pixels: explained where the centre lies near an edge of one of both triangles, or the one that the picture
+/// shows lies before the truth by at most the depth change over 1/128 pixel, or their planes meet there. Of frames that have
+/// triangle numbers.
 [[nodiscard]] uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                            const View& view);
 

@@ -26,6 +26,19 @@ inline MeshPointer randomTriangles(uint64_t seed, size_t count, double edge) {
     return soupMesh(std::move(corners));
 }
 
+/// Ten triangles of any size in the cube [−1, 1]³, and thirty as long and of about that width.
+inline ScenePointer sliversAmongTriangles(uint64_t seed, double width) {
+    Random random(seed * 31 + 7);
+    const auto place = [&] { return Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+    std::vector<Vec3f> corners;
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 a = place(), b = place();
+        const Vec3 c = i % 4 == 0 ? place() : a + random.between(0.1, 0.9) * (b - a) + width * random.direction();
+        corners.insert(corners.end(), {Vec3f(a), Vec3f(b), Vec3f(c)});
+    }
+    return sceneOf({soupMesh(std::move(corners))});
+}
+
 /// About so many triangles in one plane, as a lattice.
 inline ScenePointer coplanarTriangles(uint64_t count) {
     const auto side = uint32_t(std::sqrt(double(count) / 2.0));

@@ -14,9 +14,9 @@ struct PictureDifferences {
     std::string first;         ///< the first three of these, in words
 };
 
-/// A pixel is explained by an edge of one of the two triangles within 1/128 pixel of its centre; by depths that both planes have
-/// within 1/128 pixel, for the raster's snapping moves each plane by its own slope; or by depths that a float does not tell
-/// apart.
+/// A pixel is explained by an edge of one of the two triangles within 1/128 pixel of its centre; by the line in which their
+/// planes meet, as near; or by depths that a float does not tell apart, where each plane may be moved by what its corners in the
+/// picture are rounded (1/4096 pixel), and not by their snapping to 1/256 pixel, which moves edges alone.
 [[nodiscard]] PictureDifferences pictureDifferences(const Scene& scene, const View& view, const Reference& truth,
                                                     const ShownPixels& shown);
 

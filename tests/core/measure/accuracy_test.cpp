@@ -256,6 +256,41 @@ TEST(MissedBeyondSnapping, innerPixelsCountAndEdgePixelsDoNot) {
     EXPECT_EQ(missedBeyondSnapping(reference, {std::vector<float>(64 * 64, 0.0f), {}}, *scene, view), 64u * 64u - 64u);
 }
 
+/// A square of two triangles at z = −1 that faces the eye, and a second one of triangles 3 and 4: what is lost where the picture
+/// shows triangle 4 at a pixel of the first square, at a share of the true depth.
+uint64_t lostToTriangle4(const MeshPointer& second, double share) {
+    constexpr size_t kPixel = 36 * 64 + 32;  // no edge passes near its centre, (1/64, 9/64) at z = −1
+    const ScenePointer scene = sceneOf({squareMesh(1, -1), second});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 10}, {64, 64});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
+    EXPECT_EQ(reference.triangle[kPixel], 2u);
+    ShownPixels shown{reference.depth, reference.triangle};
+    shown.triangle[kPixel] = 4;
+    shown.depth[kPixel] = float(share * reference.depth[kPixel]);
+    EXPECT_EQ(pixelDifference(reference, shown, kPixel), PixelDifference::Missed);
+    return missedBeyondSnapping(reference, shown, *scene, view);
+}
+
+TEST(MissedBeyondSnapping, lineInWhichTwoSurfacesMeetIsAnEdgeOfBoth) {
+    // A steep square: it passes through the first one so many pixels beside the centre, where it lies at distance 1 + beside.
+    const auto lost = [](double beside) {
+        const auto corner = [&](double across, double y) {
+            return Vec3f(Vec3((0.5 + beside) / 32 + across, y, -1.0 + 64 * across));
+        };
+        const MeshPointer steep =
+            meshOf({corner(-.01, -.5), corner(.01, -.5), corner(.01, .5), corner(-.01, .5)}, {0, 1, 2, 0, 2, 3});
+        return lostToTriangle4(steep, (10 / (1 + beside) - 1) / 9);
+    };
+    EXPECT_EQ(lost(1.0 / 200), 0u);
+    EXPECT_EQ(lost(1.0 / 50), 1u) << "beyond 1/128 pixel";
+}
+
+TEST(MissedBeyondSnapping, polygonsInOnePlaneAreUnresolvedHoweverOpenGlRoundsTheirDepths) {
+    EXPECT_EQ(lostToTriangle4(squareMesh(0.75f, -1), 1 - 0x1p-18), 0u);
+    EXPECT_EQ(lostToTriangle4(squareMesh(0.75f, -1.00002f), 1 - 0x1p-16), 1u) << "another plane";
+}
+
 TEST(MissedBeyondSnapping, backFaceCullingLosesNoSurfaceOfAClosedMesh) {
     for (const MeshPointer& mesh : {knotMesh(20000), torusMesh(20000), starMesh(7, 20000), sphereMesh(50000)}) {
         const ScenePointer scene = sceneOf({mesh});
