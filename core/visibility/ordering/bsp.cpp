@@ -26,8 +26,8 @@ constexpr uint32_t kPlanesShown = 60;
 
 constexpr size_t kNodeOfFragment = 2;  ///< the operand of a drawn part that is its node
 
-/// Lines of the listing.
-enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane, NearSide };
+/// Lines of the listing. Back to front the child that is drawn first lies away from V, front to back on its side.
+enum class BspLine : uint8_t { Start = 1, Side, FirstChild, OnPlane, LastChild };
 
 struct TreeOfScene : Structure {
     using Structure::Structure;
@@ -46,7 +46,7 @@ BspOptions optionsOf(const ParameterSet& parameters) {
 OperandRole roleInWalk(const Decision& decision, size_t operand) {
     if (decision.subject.kind == Subject::Kind::Fragment)
         return operand == kNodeOfFragment ? OperandRole::Node : operand == 1 ? OperandRole::Triangle : OperandRole::Number;
-    const bool goesOn = decision.line == uint8_t(BspLine::FarSide) || decision.line == uint8_t(BspLine::NearSide);
+    const bool goesOn = decision.line == uint8_t(BspLine::FirstChild) || decision.line == uint8_t(BspLine::LastChild);
     const bool node = goesOn || (decision.line == uint8_t(BspLine::Side) && operand == 1);
     return node ? OperandRole::Node : OperandRole::Number;
 }
@@ -111,7 +111,7 @@ private:
                                       {double(number), double(above)});
         goesOn.sentence = near ? CULLSCOPE_TR("The walk comes to node %1, on the eye's side of the plane of node %2.")
                                : CULLSCOPE_TR("The walk comes to node %1, beyond the plane of node %2.");
-        m_frame.say(atLine(near ? BspLine::NearSide : BspLine::FarSide, goesOn));
+        m_frame.say(atLine(near == m_nearFirst ? BspLine::FirstChild : BspLine::LastChild, goesOn));
     }
 
     void show(uint32_t number) {
@@ -313,9 +313,9 @@ Show splittingPlanes() {
 Show bspListing() {
     return listingShow({{CULLSCOPE_TR("node = root"), 0},
                         {CULLSCOPE_TR("s = side of node's plane that V is on"), 0},
-                        {CULLSCOPE_TR("go on with the child away from V"), 1},
+                        {CULLSCOPE_TR("go on with the child that is drawn first"), 1},
                         {CULLSCOPE_TR("draw what lies in the plane"), 1},
-                        {CULLSCOPE_TR("go on with the child on V's side"), 1}});
+                        {CULLSCOPE_TR("go on with the child that is drawn last"), 1}});
 }
 
 std::vector<ParameterDeclaration> bspParameters() {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <set>
 
 #include "core/frame/prediction.h"
@@ -42,7 +43,7 @@ struct OrderingShows : testing::Test {
 
 TEST_F(OrderingShows, everyLineOfTheListingsIsReached) {
     EXPECT_THAT(tree->built()->listing(log)->decisions, ElementsAre(1, 7, 7, 10, 7))
-        << "a far and a near child of each plane, ten polygons";
+        << "a first and a last child of each plane, ten polygons";
     const CullerPointer painter = strategy("painter");
     std::vector<uint64_t> sum(kMostListingLines, 0);
     for (uint64_t seed = 0; seed < 12; ++seed) {
@@ -53,6 +54,27 @@ TEST_F(OrderingShows, everyLineOfTheListingsIsReached) {
         for (size_t line = 0; line < state.decisions.size(); ++line) sum[line] += state.decisions[line];
     }
     EXPECT_THAT(sum, Each(Gt(0u)));
+}
+
+TEST_F(OrderingShows, listingOfTheTreeRunsForwardInBothOrders) {
+    for (const char* order : {"back-to-front", "front-to-back"}) {
+        const CullerPointer culler = strategy("bsp", {{"order", order}});
+        const ScenePointer hard = hardScene(5);
+        culler->build(*hard);
+        const View from({{0.3, 0.2, 3}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(50), 0.05, 100}, kSize);
+        std::map<uint32_t, std::vector<int>> linesOfNodes;  // a node's side, its children and what lies in its plane
+        for (const Decision& decision : culler->cull(from, Recording::On).log.decisions) {
+            const bool drawn = decision.subject.kind == Subject::Kind::Fragment;
+            if (decision.line < 2 || (!drawn && decision.subject.kind != Subject::Kind::Node)) continue;
+            linesOfNodes[uint32_t(decision.operands[drawn ? 2 : 1])].push_back(decision.line);
+        }
+        size_t withBoth = 0;
+        for (const auto& [node, lines] : linesOfNodes) {
+            EXPECT_TRUE(std::ranges::is_sorted(lines)) << order << ", node " << node << ": " << testing::PrintToString(lines);
+            withBoth += std::ranges::count(lines, 3) == 1 && std::ranges::count(lines, 5) == 1 ? 1 : 0;
+        }
+        EXPECT_GT(withBoth, 3u) << order;
+    }
 }
 
 TEST_F(OrderingShows, partsOfTheQuizAreNamedAndPlacedAsInTheKey) {
