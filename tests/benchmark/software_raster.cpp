@@ -52,9 +52,19 @@ Rows softwareRows(const Setting& setting, const MeasureResult& result) {
             cells["raster_ms"] = meanOver(run, [](const FrameMeasurement& frame) { return stageOf(frame, "rasterising"); });
             cells["comparisons"] = meanOver(run, [](const FrameMeasurement& frame) { return figureOf(frame, "comparisons"); });
             cells["samples"] = meanOver(run, [](const FrameMeasurement& frame) { return figureOf(frame, "samples"); });
-            uint64_t beyond = 0;
-            for (const FrameMeasurement& measured : run.frames) beyond += measured.missedBeyondSnapping;
+            // What its pictures show that OpenGL's item buffer does not: another triangle nearer, farther, or as near.
+            uint64_t beyond = 0, extra = 0, differing = 0;
+            for (const FrameMeasurement& measured : run.frames) {
+                const Accuracy& accuracy = *measured.accuracy;
+                beyond += measured.missedBeyondSnapping;
+                extra += accuracy.extraPixels;
+                differing += accuracy.missedPixels + accuracy.extraPixels + accuracy.unresolvedPixels;
+            }
             cells["missed_beyond_snapping"] = double(beyond);
+            cells["extra_pixels"] = double(extra);
+            cells["differing_pixels"] = double(differing);
+            cells["differing_share"] =
+                double(differing) / (double(setting.size.width) * double(setting.size.height) * double(run.frames.size()));
         }
         rows.push_back(std::move(cells));
     }
@@ -86,7 +96,10 @@ Experiment softwareRaster(const std::vector<std::string>& scenes, const std::str
                                              {"raster_ms", "of it rasterising, ms", Origin::Measured, 2},
                                              {"comparisons", "comparisons", Origin::Measured},
                                              {"samples", "samples", Origin::Measured},
-                                             {"missed_beyond_snapping", "missed px", Origin::Measured}};
+                                             {"missed_beyond_snapping", "missed px", Origin::Measured},
+                                             {"extra_pixels", "extra px", Origin::Measured},
+                                             {"differing_pixels", "differing px", Origin::Measured},
+                                             {"differing_share", "of all", Origin::Measured, 5}};
     experiment.columns.insert(experiment.columns.end(), measured.begin(), measured.end());
     RowPlot frames{logPlot("Frames by the scene's triangles, whole and the picture alone", "triangles", "ms")};
     frames.x = "triangles";
@@ -95,7 +108,10 @@ Experiment softwareRaster(const std::vector<std::string>& scenes, const std::str
     frames.byX = true;
     experiment.plots = {frames};
     const RowFilter depthBuffer{{"strategy", {std::string(kDepthBuffer)}}, {"scene", {scenes.back()}}};
+    const RowFilter inSoftware{{"strategy", {std::string(kDepthBuffer), std::string(kScanLine)}}};
     experiment.checks = {
+        everyRowCheck("missed pixels beyond snapping", inSoftware, "missed_beyond_snapping", {.most = 0.0}),
+        everyRowCheck("share of pixels that show another triangle than OpenGL's", inSoftware, "differing_share", {.most = 0.001}),
         everyRowCheck("the depth buffer's picture, times as fast as all", depthBuffer, "picture_ratio", {.least = 4.0}),
         everyRowCheck("its whole frame, shaded and given to OpenGL, times as fast as all", depthBuffer, "ratio_to_all",
                       {.least = 4.0})};
