@@ -3252,16 +3252,8 @@
         <translation>s = 노드 평면에서 V가 있는 쪽</translation>
     </message>
     <message>
-        <source>go on with the child away from V</source>
-        <translation>V의 반대쪽 자식으로 간다</translation>
-    </message>
-    <message>
         <source>draw what lies in the plane</source>
         <translation>평면에 놓인 것을 그린다</translation>
-    </message>
-    <message>
-        <source>go on with the child on V&apos;s side</source>
-        <translation>V 쪽 자식으로 간다</translation>
     </message>
     <message>
         <source>In which order the tree is walked.</source>
@@ -4675,6 +4667,26 @@
         <source>A coarser surface of the object is given to OpenGL in place of the triangle.</source>
         <translation>이 삼각형 대신 물체의 더 거친 표면이 OpenGL에 전달된다.</translation>
     </message>
+    <message>
+        <source>promise</source>
+        <translation>보장</translation>
+    </message>
+    <message>
+        <source>beyond snapping, px</source>
+        <translation>맞춤을 넘는 것, 픽셀</translation>
+    </message>
+    <message>
+        <source>worst view</source>
+        <translation>가장 나쁜 시점</translation>
+    </message>
+    <message>
+        <source>go on with the child that is drawn first</source>
+        <translation>먼저 그릴 자식으로 간다</translation>
+    </message>
+    <message>
+        <source>go on with the child that is drawn last</source>
+        <translation>나중에 그릴 자식으로 간다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5993,6 +6005,10 @@ OpenGL %2
     <message>
         <source>The active view&apos;s strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other parameters.</source>
         <translation>활성 뷰의 전략에는 여기에 잎이 %1개 있습니다. %2개를 넘으면 이름을 붙이지 않습니다. 더 작은 장면이나 다른 매개변수를 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Nothing was predicted yet: first click what you expect.</source>
+        <translation>아직 예측한 것이 없습니다. 먼저 예상하는 것을 클릭하십시오.</translation>
     </message>
 </context>
 <context>

@@ -3252,16 +3252,8 @@
         <translation>s = V 在节点平面的哪一侧</translation>
     </message>
     <message>
-        <source>go on with the child away from V</source>
-        <translation>先走远离 V 的子节点</translation>
-    </message>
-    <message>
         <source>draw what lies in the plane</source>
         <translation>绘制位于平面上的部分</translation>
-    </message>
-    <message>
-        <source>go on with the child on V&apos;s side</source>
-        <translation>再走 V 一侧的子节点</translation>
     </message>
     <message>
         <source>In which order the tree is walked.</source>
@@ -4675,6 +4667,26 @@
         <source>A coarser surface of the object is given to OpenGL in place of the triangle.</source>
         <translation>代替该三角形，把物体的较粗表面交给 OpenGL。</translation>
     </message>
+    <message>
+        <source>promise</source>
+        <translation>承诺</translation>
+    </message>
+    <message>
+        <source>beyond snapping, px</source>
+        <translation>超出对齐误差，像素</translation>
+    </message>
+    <message>
+        <source>worst view</source>
+        <translation>最差视角</translation>
+    </message>
+    <message>
+        <source>go on with the child that is drawn first</source>
+        <translation>走先绘制的子节点</translation>
+    </message>
+    <message>
+        <source>go on with the child that is drawn last</source>
+        <translation>走后绘制的子节点</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5993,6 +6005,10 @@ OpenGL %2
     <message>
         <source>The active view&apos;s strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other parameters.</source>
         <translation>活动视图的策略在此有 %1 个叶：超过 %2 个则不命名。请选择更小的场景或其他参数。</translation>
+    </message>
+    <message>
+        <source>Nothing was predicted yet: first click what you expect.</source>
+        <translation>尚未作出预测：请先点击您预期的对象。</translation>
     </message>
 </context>
 <context>
