@@ -4680,11 +4680,11 @@
         <translation>가장 나쁜 시점</translation>
     </message>
     <message>
-        <source>go on with the child that is drawn first</source>
+        <source>go on with the child drawn first</source>
         <translation>먼저 그릴 자식으로 간다</translation>
     </message>
     <message>
-        <source>go on with the child that is drawn last</source>
+        <source>go on with the child drawn last</source>
         <translation>나중에 그릴 자식으로 간다</translation>
     </message>
 </context>

@@ -4680,11 +4680,11 @@
         <translation>最差视角</translation>
     </message>
     <message>
-        <source>go on with the child that is drawn first</source>
+        <source>go on with the child drawn first</source>
         <translation>走先绘制的子节点</translation>
     </message>
     <message>
-        <source>go on with the child that is drawn last</source>
+        <source>go on with the child drawn last</source>
         <translation>走后绘制的子节点</translation>
     </message>
 </context>

@@ -313,9 +313,9 @@ Show splittingPlanes() {
 Show bspListing() {
     return listingShow({{CULLSCOPE_TR("node = root"), 0},
                         {CULLSCOPE_TR("s = side of node's plane that V is on"), 0},
-                        {CULLSCOPE_TR("go on with the child that is drawn first"), 1},
+                        {CULLSCOPE_TR("go on with the child drawn first"), 1},
                         {CULLSCOPE_TR("draw what lies in the plane"), 1},
-                        {CULLSCOPE_TR("go on with the child that is drawn last"), 1}});
+                        {CULLSCOPE_TR("go on with the child drawn last"), 1}});
 }
 
 std::vector<ParameterDeclaration> bspParameters() {
