@@ -154,7 +154,7 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const V
     if (!lines.isEmpty()) {
         twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawLines(lines); });
         if (std::max(bounds.width(), bounds.height()) < kSmall)
-            twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawEllipse(bounds.center(), kMarkRadius, kRing); });
+            twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawEllipse(bounds.center(), kMarkRadius, kMarkRadius); });
     }
     painter.restore();
 }
