@@ -64,6 +64,8 @@ void run(const CommandOptions& options, Context& context) {
     if (!options.scene.empty()) own = ofScene(options.experiment, options.scene);
     const std::vector<const Experiment*> experiments = own ? std::vector<const Experiment*>{&*own} : chosen(options.experiment);
     if (!options.files.svg.empty()) checkPlots(experiments);
+    if (!options.files.csv.empty() && experiments.size() > 1)
+        throwUsage(CULLSCOPE_TR("--csv has the rows of one experiment: name it in place of %1."), {options.experiment});
     checkTableFiles(options.files);
     std::vector<ResultTable> tables;
     std::optional<Error> failure;
@@ -90,6 +92,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));
     command->add_option("--json", options->files.json, "result file; - is standard output");
+    command->add_option("--csv", options->files.csv, "result file with the rows of one experiment; - is standard output");
     command->add_option("--svg", options->files.svg, "the plots of experiments that have one; - is standard output");
     command->callback([options, &context] { run(*options, context); });
 }

@@ -100,7 +100,10 @@ std::string csvText(const CellValue& value) {
     if (const auto* estimate = std::get_if<RatioEstimate>(&value)) return fmt::format("{}", estimate->ratio);
     const auto* words = std::get_if<std::string>(&value);
     if (!words) return "";
-    return words->find_first_of(",\"\n") == std::string::npos ? *words : '"' + *words + '"';
+    if (words->find_first_of(",\"\n") == std::string::npos) return *words;
+    std::string quoted = "\"";
+    for (const char letter : *words) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return quoted + '"';
 }
 
 /// CSV with one row for each x and one column for each line.

@@ -1,5 +1,6 @@
 // The command line's contract (docs/command-line.md) for experiments of papers: their list, and the results of repeating one.
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -33,7 +34,19 @@ TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
                   "no plot. With a plot: vfc-40-views, lecture-table, plant-methods, plant-pipelines, plant-losses.");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", "-", "--json", "-"}), 2, "--json and --svg");
+    expectRefusal(cullbench({"reproduce", "all", "--csv", file("t.csv")}), 2, "--csv has the rows of one experiment");
     EXPECT_EQ(filesWritten(), 0u);
+}
+
+TEST_F(CullbenchContract, reproduceWritesTheRowsOfOneExperimentAsCsv) {
+    const ProcessResult result = cullbench({"reproduce", "quiz", "--csv", "-", "--json", file("t.json")});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    std::ifstream in(file("t.json"));
+    const json table = json::parse(in)["experiments"][0];
+    std::string header;
+    for (const json& column : table["columns"]) header += (header.empty() ? "" : ",") + column["key"].get<std::string>();
+    EXPECT_THAT(result.out, testing::StartsWith(header + "\n"));
+    EXPECT_EQ(size_t(std::ranges::count(result.out, '\n')), table["rows"].size() + 1);
 }
 
 TEST_F(CullbenchContract, reproduceNeedsNoOpenGlForTheStructures) {

@@ -226,6 +226,13 @@ TEST(PaperTables, aRatioWithoutAnIntervalStandsAlone) {
     EXPECT_EQ(rowsCsv(table), "ratio_to_all,ratio_to_all_low,ratio_to_all_high\n2,,\n");
 }
 
+TEST(ResultTables, wordsWithQuotationMarksAreOneCellOfCsv) {
+    ResultTable table;
+    table.columns = {{"mesh", "mesh"}, {"triangles", "triangles"}};
+    table.addRow({{"mesh", std::string("bunny, \"the\" one")}, {"triangles", 12.0}});
+    EXPECT_EQ(rowsCsv(table), "mesh,triangles\n\"bunny, \"\"the\"\" one\",12\n");
+}
+
 TEST(PaperTables, csvRowsAreOfOneLength) {
     const Experiment& experiment = findExperiment("table-2");
     ResultTable table = emptyTable(experiment);
