@@ -41,9 +41,23 @@ struct Shot {
 };
 
 /// Bodies before, beside and behind the eye, of few and of many triangles; bodies that hide each other; polygons that overlap in
-/// depth in all ways.
+/// depth in all ways. Those with few triangles come first: most lines are reached there.
 std::vector<Shot> fixedShots() {
     std::vector<Shot> shots;
+    const ScenePointer quiz = openScene("quiz").scene;
+    shots.push_back({quiz, {View(overviewCamera(*quiz, 4.0 / 3.0), {96, 72})}});
+    for (uint64_t seed = 0; seed < 2 * kMeetings; ++seed) {
+        const ScenePointer polygons = randomPolygons(seed);
+        shots.push_back({polygons, {View(overviewCamera(*polygons, 4.0 / 3.0), {96, 72})}});
+    }
+    // Specks: from far away groups of them, or each of them, cover few pixels or none.
+    std::vector<Mat4> specks;
+    for (int i = 0; i < 64; ++i)
+        specks.push_back(translation({3.0 * (i % 4 - 1.5), 3.0 * (i / 4 % 4 - 1.5), 3.0 * (i / 16 - 1.5)}) *
+                         scaling(Vec3(std::pow(10.0, -3.0 + i / 21.0))));
+    shots.push_back({copiesOf(boxMesh(Vec3f(-0.5f), Vec3f(0.5f)), specks),
+                     {lookingAt({1, 2, 15}, Vec3(0.0), 40), lookingAt({1, 2, 60}, Vec3(0.0), 40, 200),
+                      lookingAt({1, 2, 400}, Vec3(0.0), 40, 1000), lookingAt({1, 2, 4000}, Vec3(0.0), 40, 9000)}});
     std::vector<MeshPointer> meshes;
     std::vector<Mat4> places;
     for (int z = 0; z < 6; ++z)
@@ -58,22 +72,8 @@ std::vector<Shot> fixedShots() {
                      {lookingAt(Vec3(0.0), {0.2, 0.1, -1}, 40), lookingAt({0, 0, 30}, Vec3(0.0), 60),
                       lookingAt(Vec3(0.0), {0.2, 0.1, -1}, 40, 10), lookingAt({0.2, -1.0, 13.0}, {0, 0, -1}, 50),
                       lookingAt({0, 0, 130}, Vec3(0.0), 30, 300)}});
-    // Specks: from far away groups of them, or each of them, cover few pixels or none.
-    std::vector<Mat4> specks;
-    for (int i = 0; i < 64; ++i)
-        specks.push_back(translation({3.0 * (i % 4 - 1.5), 3.0 * (i / 4 % 4 - 1.5), 3.0 * (i / 16 - 1.5)}) *
-                         scaling(Vec3(std::pow(10.0, -3.0 + i / 21.0))));
-    shots.push_back({copiesOf(boxMesh(Vec3f(-0.5f), Vec3f(0.5f)), specks),
-                     {lookingAt({1, 2, 15}, Vec3(0.0), 40), lookingAt({1, 2, 60}, Vec3(0.0), 40, 200),
-                      lookingAt({1, 2, 400}, Vec3(0.0), 40, 1000), lookingAt({1, 2, 4000}, Vec3(0.0), 40, 9000)}});
     const ScenePointer bumps = sceneOf({bumpyMesh(3, 40'000, 0.4)});
     shots.push_back({bumps, {lookingAt({0, 0.3, 6.0}, Vec3(0.0), 60), lookingAt({0, 0.3, 2.0}, Vec3(0.0), 20)}});
-    for (uint64_t seed = 0; seed < 2 * kMeetings; ++seed) {
-        const ScenePointer polygons = randomPolygons(seed);
-        shots.push_back({polygons, {View(overviewCamera(*polygons, 4.0 / 3.0), {96, 72})}});
-    }
-    const ScenePointer quiz = openScene("quiz").scene;
-    shots.push_back({quiz, {View(overviewCamera(*quiz, 4.0 / 3.0), {96, 72})}});
     return shots;
 }
 

@@ -16,7 +16,7 @@ ScenePointer rows() {
     std::vector<Mat4> places;
     for (int z = 0; z < 5; ++z)
         for (int x = -3; x <= 3; ++x) {
-            meshes.push_back(starMesh(uint64_t(x + 5), z % 3 == 0 ? 2500 : 100));
+            meshes.push_back(starMesh(uint64_t(x + 5), z % 3 == 0 ? (fewSamples() ? 1000 : 2500) : 100));
             places.push_back(translation({4.0 * x, 0.3 * x, 12.0 - 6.0 * z}));
         }
     return sceneOf(std::move(meshes), places);
