@@ -45,7 +45,10 @@ SessionOpener::SessionOpener(Session& session, CameraBookmarks& bookmarks, QObje
         m_pending.reset();
     });
     // Does not cancel m_reading: a file being read now was opened after this scene.
-    connect(&loader, &SceneLoader::failed, this, [this] { m_pending.reset(); });
+    connect(&loader, &SceneLoader::failed, this, [this] {
+        m_pending.reset();
+        emit failed();
+    });
     connect(&loader, &SceneLoader::cancelled, this, [this] { m_pending.reset(); });
     // Slots run in the order of connection: the session was connected earlier and has shown the scene.
     connect(&loader, &SceneLoader::loaded, this, &SessionOpener::finish);
@@ -75,7 +78,10 @@ void SessionOpener::read(const QString& file, Kind kind) {
         } catch (const std::exception& error) {
             failure = {QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {file.toStdString(), error.what()}};
         }
-        return [this, failure] { m_session.raise(Severity::Error, failure); };
+        return [this, failure] {
+            m_session.raise(Severity::Error, failure);
+            emit failed();
+        };
     });
 }
 
