@@ -23,7 +23,7 @@ bool isOneOf(const QString& suffix, const Types& types) {
 
 /// Throws Error(Input) if the picture holds no session or an invalid one.
 SessionState readPictureState(const std::filesystem::path& file) {
-    for (const auto& [name, text] : readPicture(file).metadata)
+    for (const auto& [name, text] : readPictureMetadata(file))
         if (name == kSessionMetadata)
             if (std::optional<SessionState> state = stateFromText(text, file)) return *state;
     throwInput(QT_TRANSLATE_NOOP("core", "%1 does not say what it shows: only pictures that Cullscope saved can be opened."),
