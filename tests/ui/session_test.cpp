@@ -151,6 +151,33 @@ TEST(Session, aSceneThatSaysWhatIsUpOpensStandingAndLeavesTheChoiceForOthers) {
     EXPECT_EQ(session.upAxis(), UpAxis::Z) << "chosen for scenes that do not say it";
 }
 
+TEST(Session, picturesOfAllViewsHaveOneLimitTogether) {
+    Session session{sessionOptions(false)};
+    std::vector<std::string> said;
+    QObject::connect(&session, &Session::messageRaised,
+                     [&](Severity, const Message& message) { said.push_back(message.english()); });
+    const Viewport large{8192, 8192}, small{640, 480}, of4k{3840, 2160};
+    session.setPictureSize({0, 1, 2, 3, 4, 5, 6, 7}, of4k);
+    EXPECT_TRUE(said.empty());
+    EXPECT_EQ(session.setup(7).size, of4k);
+    session.setPictureSize({3}, large);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("126 million pixels together, and at most 67 million"), std::string::npos) << said[0];
+    EXPECT_EQ(session.setup(3).size, of4k) << "nothing is changed";
+    session.setPictureSize({0, 1, 2, 3, 4, 5, 6, 7}, std::nullopt);
+    session.setPictureSize({3}, large);
+    EXPECT_EQ(session.setup(3).size, large);
+    // A session may have asked for more: then everything that makes it less is possible.
+    ViewSetup asked = session.setup(4);
+    asked.size = large;
+    session.setSetup(4, asked);
+    session.setPictureSize({5}, small);
+    EXPECT_EQ(session.setup(5).size, std::nullopt);
+    session.setPictureSize({4}, Viewport{8192, 4096});
+    EXPECT_EQ(session.setup(4).size, (Viewport{8192, 4096}));
+    EXPECT_EQ(said.size(), 2u);
+}
+
 TEST(CullbenchCommand, repeatsTheView) {
     PictureSubject picture;
     picture.scene = "/my models/it's.obj";
