@@ -2,9 +2,11 @@
 #include <CLI/CLI.hpp>
 #include <QIcon>
 #include <cstdio>
+#include <exception>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/last_words.h"
 #include "core/scene/camera.h"
 #include "core/visibility/strategy_request.h"
 #include "ui/startup/display.h"
@@ -124,6 +126,7 @@ int show(QApplication& application, const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    endWithSentenceOnTerminate();
     try {
         const CommandLine line = parse(argc, argv);
         ui::requireDisplay();
@@ -145,5 +148,9 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         std::fprintf(stderr, "cullscope: %s\n", error.what());
         return int(error.kind());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cullscope: It cannot be started: %s. Close other programs, or allow it more memory (ulimit -v).\n",
+                     error.what());
+        return int(ErrorKind::Input);
     }
 }

@@ -16,45 +16,6 @@
 namespace cullscope::ui::session_test {
 namespace {
 
-TEST(JobNumbers, onlyTheNewestCounts) {
-    JobNumbers jobs;
-    const uint64_t first = jobs.begin();
-    EXPECT_TRUE(jobs.isCurrent(first));
-    const uint64_t second = jobs.begin();
-    EXPECT_FALSE(jobs.isCurrent(first));
-    EXPECT_TRUE(jobs.isCurrent(second));
-    jobs.invalidate();
-    EXPECT_FALSE(jobs.isCurrent(second));
-}
-
-TEST(Background, staleResultsAreDropped) {
-    std::vector<int> delivered;
-    std::atomic<bool> release{false};
-    Background background;
-    for (int i = 0; i < 5; ++i)
-        background.start([&, i](const std::stop_token&) -> Background::Delivery {
-            while (!release) std::this_thread::yield();
-            return [&delivered, i] { delivered.push_back(i); };
-        });
-    release = true;
-    ASSERT_TRUE(waitUntil([&] { return !background.busy(); }));
-    QTest::qWait(50);
-    EXPECT_EQ(delivered, std::vector<int>{4});
-}
-
-TEST(Background, cancelledWorkBringsNothing) {
-    bool delivered = false;
-    Background background;
-    background.start([&](const std::stop_token& stop) -> Background::Delivery {
-        while (!stop.stop_requested()) std::this_thread::yield();
-        return [&delivered] { delivered = true; };
-    });
-    background.cancel();
-    EXPECT_FALSE(background.busy());
-    QTest::qWait(50);
-    EXPECT_FALSE(delivered);
-}
-
 /// Loads "slow" until it is told to stop, refuses "bad", and leaves the rest to core.
 OpenedScene slowOrBad(const std::string& specification, const Progress& progress) {
     if (specification == "bad") throwInput("%1 is bad.", {"bad"});

@@ -48,6 +48,7 @@ private:
 
     void showProgress();
     Background::Delivery run(const std::string& specification, const std::shared_ptr<Board>& board, const std::stop_token& stop);
+    Background::Delivery failureOf(const std::string& specification, const std::exception& failure);
 
     Opener m_opener;
     Background m_background;

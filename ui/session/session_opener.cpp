@@ -69,15 +69,12 @@ void SessionOpener::open(const QString& what) {
 }
 
 void SessionOpener::read(const QString& file, Kind kind) {
-    m_reading.start([this, file, kind](const std::stop_token&) -> Background::Delivery {
-        Message failure;
-        try {
-            return [this, file, state = readStateOf(file.toStdString(), kind)] { restore(state, file); };
-        } catch (const Error& error) {
-            failure = error.message();
-        } catch (const std::exception& error) {
-            failure = {QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {file.toStdString(), error.what()}};
-        }
+    const auto work = [this, file, kind](const std::stop_token&) -> Background::Delivery {
+        return [this, file, state = readStateOf(file.toStdString(), kind)] { restore(state, file); };
+    };
+    m_reading.start(work, [this, file](const std::exception& error) -> Background::Delivery {
+        Message failure{QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {file.toStdString(), error.what()}};
+        if (const auto* known = dynamic_cast<const Error*>(&error)) failure = known->message();
         return [this, failure] {
             m_session.raise(Severity::Error, failure);
             emit failed();
