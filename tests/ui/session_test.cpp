@@ -50,6 +50,19 @@ TEST(Session, failedAndCancelledLoadingLeavesTheSceneAsItWas) {
     EXPECT_EQ(said, (std::vector<std::string>{"bad is bad.", "Opening slow was cancelled."}));
 }
 
+TEST(Session, tooManyNestedGeneratorsAreRefusedLikeAnyScene) {
+    Session session{sessionOptions(false)};
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    const OpenedScenePointer before = session.opened();
+    std::vector<std::string> said;
+    QObject::connect(&session, &Session::messageRaised,
+                     [&](Severity, const Message& message) { said.push_back(message.english()); });
+    openAndWait(session, QStringLiteral("mesh:").repeated(100) + QStringLiteral("sphere:triangles=80"));
+    EXPECT_EQ(session.opened(), before);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("More than 64 generators"), std::string::npos) << said[0];
+}
+
 TEST(Session, aNewerOpenTakesThePlaceOfAnOlderOne) {
     Session::Options options = sessionOptions(false);
     options.opener = slowOrBad;

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/scene/absolute_files.h"
 
 namespace cullscope::ui {
 
@@ -57,7 +58,11 @@ Background::Delivery SceneLoader::run(const std::string& specification, const st
         board->share = share;
         board->stage = stage;
     };
-    const auto scene = std::make_shared<const OpenedScene>(m_opener(specification, progress));
+    // First of all, because the working folder may go away while the scene is opened.
+    const std::string absolute = withAbsoluteFiles(specification);
+    OpenedScene opened = m_opener(specification, progress);
+    if (opened.specification == specification) opened.specification = absolute;
+    const auto scene = std::make_shared<const OpenedScene>(std::move(opened));
     return [this, scene] {
         m_poll.stop();
         emit loaded(scene);

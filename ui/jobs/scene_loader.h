@@ -24,6 +24,8 @@ public:
 
     explicit SceneLoader(Opener opener, QObject* parent = nullptr);
 
+    /// Files of the specification are named by absolute paths from now on: in the opened scene's specification, so that nothing
+    /// that is done with it later depends on the working folder.
     void open(const QString& specification);
     /// Stops the loading: `loading` is false at once, and the worker thread ends within 100 ms.
     void cancel();

@@ -31,11 +31,12 @@ bool isGeneratorsName(const std::string& file) {
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
-    return (std::filesystem::current_path() / file).lexically_normal().parent_path();
+    return std::filesystem::path(absoluteFile(file.string())).parent_path();
 }
 
 std::string relativeTo(const std::filesystem::path& folder, const std::string& file) {
-    const std::string relative = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).string();
+    const std::string relative = std::filesystem::path(absoluteFile(file)).lexically_relative(folder).string();
+    if (relative.empty()) return file;  // there is no way from one to the other: a working folder is gone
     // A file with the name of a generator must not be read as that generator.
     return isGeneratorsName(relative) ? "./" + relative : relative;
 }

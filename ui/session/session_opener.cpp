@@ -65,7 +65,7 @@ SessionOpener::Kind SessionOpener::kindOf(const QString& what) {
 void SessionOpener::open(const QString& what) {
     const Kind kind = kindOf(what);
     if (kind == Kind::Scene) return m_session.open(what);
-    read(what, kind);
+    read(QString::fromStdString(absoluteFile(what.toStdString())), kind);
 }
 
 void SessionOpener::read(const QString& file, Kind kind) {
@@ -97,7 +97,8 @@ void SessionOpener::finish() {
         m_bookmarks.setPlaces(pending->state.bookmarks);
         if (pending->state.style) m_session.setDrawStyle(*pending->state.style);
     }
-    emit opened(pending && !pending->origin.isEmpty() ? pending->origin : m_session.loader().specification());
+    emit opened(pending && !pending->origin.isEmpty() ? pending->origin
+                                                      : QString::fromStdString(m_session.opened()->specification));
     if (pending) emit restored(pending->state);
 }
 
