@@ -136,9 +136,10 @@ TEST_F(PictureReading, isReadByTheFormatOfItsNameAndItsFirstBytesAlone) {
           {"png.exr", png, "its name says EXR"},
           {"a.gif", gif, "its name ends neither in .png"},
           {"a", png, "its name ends neither in .png"}}) {
-        std::ofstream(file(name), std::ios::binary) << bytes;
-        for (const std::function<void()>& read : {std::function<void()>([&] { (void)readPicture(file(name)); }),
-                                                  std::function<void()>([&] { (void)readPictureMetadata(file(name)); })})
+        const std::filesystem::path path = file(name);
+        std::ofstream(path, std::ios::binary) << bytes;
+        for (const std::function<void()>& read : {std::function<void()>([&] { (void)readPicture(path); }),
+                                                  std::function<void()>([&] { (void)readPictureMetadata(path); })})
             EXPECT_THAT(test::refusalOf(read, ErrorKind::Input), HasSubstr(said)) << name;
     }
 }
