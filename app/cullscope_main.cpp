@@ -2,13 +2,17 @@
 #include <CLI/CLI.hpp>
 #include <QIcon>
 #include <cstdio>
+#include <exception>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/base/last_words.h"
+#include "core/scene/absolute_files.h"
 #include "core/scene/camera.h"
 #include "core/visibility/strategy_request.h"
 #include "ui/startup/display.h"
 #include "ui/startup/first_views.h"
+#include "ui/startup/recovery.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 #include "ui/window/main_window.h"
@@ -71,6 +75,8 @@ CommandLine parse(int argc, char** argv) {
         const int status = parser.exit(error);
         std::exit(status == 0 ? 0 : int(ErrorKind::Usage));
     }
+    // The working folder may go away while the window is open.
+    for (std::filesystem::path& folder : line.modelFolders) folder = absoluteFile(folder.string());
     if (!size.empty()) line.size = sizeFromText(size);
     if (!strategies.empty()) line.strategies = strategiesOfViews(strategies);
     return line;
@@ -84,7 +90,7 @@ void chooseLanguage(ui::Language& language, const std::string& asked) {
         language.use(ui::Language::isKnown(stored) ? stored : ui::Language::ofSystem());
 }
 
-int show(QApplication& application, const CommandLine& line) {
+int show(ui::Application& application, const CommandLine& line) {
     ui::Language language;
     chooseLanguage(language, line.language);
     ui::Appearance appearance;
@@ -111,6 +117,7 @@ int show(QApplication& application, const CommandLine& line) {
     } else {
         ui::showFitting(window, kUsualSize);
     }
+    ui::Recovery recovery(application, session, window, ui::Recovery::usualFile());
     const std::string scene = line.scene.empty() ? defaultSceneSpecification(options.sceneSource) : line.scene;
     std::unique_ptr<ui::WindowPicture> picture;
     if (!line.screenshot.empty()) {
@@ -118,12 +125,14 @@ int show(QApplication& application, const CommandLine& line) {
         QObject::connect(picture.get(), &ui::WindowPicture::done, &application, &QCoreApplication::exit);
     }
     window.document().opener().open(QString::fromStdString(scene));
+    if (line.screenshot.empty()) recovery.offer();
     return QApplication::exec();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    endWithSentenceOnTerminate();
     try {
         const CommandLine line = parse(argc, argv);
         ui::requireDisplay();
@@ -131,7 +140,7 @@ int main(int argc, char** argv) {
         QCoreApplication::setOrganizationName(QStringLiteral("cullscope"));
         QCoreApplication::setApplicationName(QStringLiteral("cullscope"));
         int qtArgc = 1;
-        const std::unique_ptr<QApplication> application = ui::makeApplication(qtArgc, argv);
+        const std::unique_ptr<ui::Application> application = ui::makeApplication(qtArgc, argv);
         QGuiApplication::setDesktopFileName(QStringLiteral("cullscope"));
         QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/cullscope.svg")));
         try {
@@ -145,5 +154,9 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         std::fprintf(stderr, "cullscope: %s\n", error.what());
         return int(error.kind());
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "cullscope: It cannot be started: %s. Close other programs, or allow it more memory (ulimit -v).\n",
+                     error.what());
+        return int(ErrorKind::Input);
     }
 }

@@ -1,10 +1,16 @@
 #include "core/image/picture_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/image/jpeg_scans.h"
 #include "core/image/picture_formats_module.h"
 #include "core/image/picture_pixels.h"
 #include "core/scene/camera.h"
@@ -23,12 +29,19 @@ std::string lowerCaseExtension(const std::filesystem::path& path) {
     return extension;
 }
 
-PictureFormat formatOf(const std::filesystem::path& path) {
+/// The format that a file's name says; none where it ends in another way.
+std::optional<PictureFormat> formatByName(const std::filesystem::path& path) {
     const std::string extension = lowerCaseExtension(path);
-    if (path == "-" || extension == ".png") return PictureFormat::Png;
+    if (extension == ".png") return PictureFormat::Png;
     if (extension == ".jpg" || extension == ".jpeg") return PictureFormat::Jpeg;
     if (extension == ".tif" || extension == ".tiff") return PictureFormat::Tiff;
     if (extension == ".exr") return PictureFormat::Exr;
+    return std::nullopt;
+}
+
+PictureFormat formatToWrite(const std::filesystem::path& path) {
+    if (path == "-") return PictureFormat::Png;
+    if (const auto format = formatByName(path)) return *format;
     throwUsage(CULLSCOPE_TR("%1: pictures are written as .png, .jpg, .tif or .exr; choose one of these endings."),
                {path.string()});
 }
@@ -64,7 +77,7 @@ std::string described(const std::filesystem::path& path, const Picture& picture)
 
 /// The picture encoded in the format of the file name's extension.
 std::vector<unsigned char> encoded(const std::filesystem::path& path, const Picture& picture, const Vec3f& background) {
-    const PictureFormat format = formatOf(path);
+    const PictureFormat format = formatToWrite(path);
     const int height = picture.size.height;
     PictureFileContent content;
     content.width = picture.size.width;
@@ -90,7 +103,7 @@ std::vector<unsigned char> encoded(const std::filesystem::path& path, const Pict
 
 }  // namespace
 
-void requirePictureFormat(const std::filesystem::path& path) { (void)formatOf(path); }
+void requirePictureFormat(const std::filesystem::path& path) { (void)formatToWrite(path); }
 
 void writePicture(const std::filesystem::path& path, const Picture& picture, const Vec3f& background) {
     [[maybe_unused]] const size_t pixels = static_cast<size_t>(picture.size.width) * static_cast<size_t>(picture.size.height);
@@ -112,18 +125,84 @@ namespace {
     throwInput(CULLSCOPE_TR("%1 is no picture that can be read: %2"), {path.string(), failure.reason});
 }
 
-PictureFileContent contentOf(const std::filesystem::path& path) {
+/// Whether a file begins as its format says: PNG and JPEG by their signatures, TIFF in both byte orders and sizes of its offsets,
+/// EXR by its number.
+bool beginsAs(PictureFormat format, std::string_view bytes) {
+    using namespace std::string_view_literals;
+    const auto begins = [&](std::initializer_list<std::string_view> signatures) {
+        return std::any_of(signatures.begin(), signatures.end(), [&](std::string_view each) { return bytes.starts_with(each); });
+    };
+    switch (format) {
+        case PictureFormat::Png:
+            return begins({"\x89PNG\r\n\x1a\n"sv});
+        case PictureFormat::Jpeg:
+            return begins({"\xff\xd8\xff"sv});
+        case PictureFormat::Tiff:
+            return begins({"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv});
+        case PictureFormat::Exr:
+            return begins({"\x76\x2f\x31\x01"sv});
+    }
+    return false;
+}
+
+/// Nothing that Cullscope writes has several scans; of other programs' files the usual sizes are read.
+void refuseLargeScans(const std::filesystem::path& path) {
+    constexpr int64_t kMostPixelsKeptWhole = int64_t{1} << 24;
+    const std::optional<Viewport> size = sizeKeptWhole(path);
+    if (size && int64_t{size->width} * size->height > kMostPixelsKeptWhole)
+        throwInput(
+            CULLSCOPE_TR("%1 is no picture that can be read: a progressive JPEG of %2x%3 pixels takes memory for all of them "
+                         "before the first is known. Save it without progressive coding."),
+            {path.string(), std::to_string(size->width), std::to_string(size->height)});
+}
+
+/// The format of a file, by its name and its first bytes, which must agree: the reader of another format must not see it.
+PictureFormat formatToRead(const std::filesystem::path& path) {
+    constexpr std::array kNames{"PNG", "JPEG", "TIFF", "EXR"};
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {path.string()});
+    const std::optional<PictureFormat> format = formatByName(path);
+    if (!format)
+        throwInput(CULLSCOPE_TR("%1 is no picture that can be read: its name ends neither in .png, .jpg, .tif nor .exr."),
+                   {path.string()});
+    std::array<char, 8> first{};
+    in.read(first.data(), first.size());
+    if (!beginsAs(*format, {first.data(), static_cast<size_t>(in.gcount())}))
+        throwInput(CULLSCOPE_TR("%1 is no picture that can be read: its name says %2, and it does not begin as such a file does. "
+                                "Give it the ending of what it is."),
+                   {path.string(), kNames[static_cast<size_t>(*format)]});
+    if (*format == PictureFormat::Jpeg) refuseLargeScans(path);
+    return *format;
+}
+
+PictureFileContent contentOf(const std::filesystem::path& path, PictureFormats::Part part) {
+    const PictureFormat format = formatToRead(path);
     try {
-        return pictureFormats().read(path.string(), kOurPrefix, kMostPixels);
+        return pictureFormats().read(format, path.string(), kOurPrefix, kMostPixels, part);
     } catch (const PictureFormatFailure& failure) {
         refuseToRead(path, failure);
     }
 }
 
+/// The texts under their own names, and those of the description of a JPEG or TIFF.
+std::vector<std::pair<std::string, std::string>> metadataOf(PictureFileContent& content) {
+    std::vector<std::pair<std::string, std::string>> metadata = std::move(content.texts);
+    const Json json = Json::parse(content.description, nullptr, false);
+    if (json.is_object())
+        for (const auto& [name, text] : json.items())
+            if (name.starts_with(kOurPrefix) && text.is_string()) metadata.emplace_back(name, text.get<std::string>());
+    return metadata;
+}
+
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> readPictureMetadata(const std::filesystem::path& path) {
+    PictureFileContent content = contentOf(path, PictureFormats::Part::Header);
+    return metadataOf(content);
+}
+
 Picture readPicture(const std::filesystem::path& path) {
-    PictureFileContent content = contentOf(path);
+    PictureFileContent content = contentOf(path, PictureFormats::Part::All);
     const auto fromTheBottom = [&](const auto& rows) { return upsideDown(rows, content.height); };
     Picture picture;
     picture.size = {content.width, content.height};
@@ -131,11 +210,7 @@ Picture readPicture(const std::filesystem::path& path) {
     if (!content.depth.empty()) picture.depth = fromTheBottom(content.depth);
     if (!content.triangle.empty()) picture.triangle = fromTheBottom(content.triangle);
     picture.dotsPerInch = content.dotsPerInch;
-    picture.metadata = std::move(content.texts);
-    const Json json = Json::parse(content.description, nullptr, false);
-    if (json.is_object())
-        for (const auto& [name, text] : json.items())
-            if (name.starts_with(kOurPrefix) && text.is_string()) picture.metadata.emplace_back(name, text.get<std::string>());
+    picture.metadata = metadataOf(content);
     return picture;
 }
 

@@ -36,8 +36,13 @@ void writePicture(const std::filesystem::path& path, const Picture& picture, con
 /// Throws Error(Usage) where writePicture does not support the extension of this name.
 void requirePictureFormat(const std::filesystem::path& path);
 
-/// Reads a picture of any format that OpenImageIO supports, with its "cullscope:" metadata and an EXR's depth and triangles.
-/// Throws Error(Input) where the file is no picture, is damaged, or has more than 16384 pixels on a side.
+/// Reads the "cullscope:" metadata of a PNG, JPEG, TIFF or EXR and nothing else: it takes no memory for the pixels that the file
+/// states to have. Throws Error(Input) where the file is absent, begins in another way than its name says, is damaged before its
+/// pixels, or states more than 16384 pixels on a side.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> readPictureMetadata(const std::filesystem::path& path);
+
+/// Reads such a file with its pixels, and an EXR's depth and triangles. Throws as readPictureMetadata does, and for damaged
+/// pixels.
 [[nodiscard]] Picture readPicture(const std::filesystem::path& path);
 
 /// Converts a framebuffer's reversed depth samples to Picture::depth.

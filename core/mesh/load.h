@@ -44,7 +44,8 @@ struct LoadedFile {
 };
 
 struct LoadOptions {
-    /// 0: three quarters of the machine's memory. A file that needs more is refused before anything is allocated for it.
+    /// 0: three quarters of the machine's memory or of `ulimit -v`. A file that needs more is refused before anything is
+    /// allocated for it.
     size_t memoryLimitBytes = 0;
     bool hash = true;  ///< compute `sha256`
 };

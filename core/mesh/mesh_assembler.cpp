@@ -1,11 +1,10 @@
 #include "core/mesh/mesh_assembler.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 #include "core/mesh/edges.h"
 #include "core/mesh/face_checks.h"
 #include "core/mesh/normals.h"
@@ -16,11 +15,6 @@ namespace {
 
 /// Smaller objects would become zero in single precision.
 constexpr double kSmallestExtent = 1e-30;
-
-uint64_t threeQuartersOfTheMachine() {
-    const auto pages = static_cast<uint64_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
-    return pages * static_cast<uint64_t>(std::max(0L, sysconf(_SC_PAGE_SIZE))) / 4 * 3;
-}
 
 template <typename Value>
 void keepOnly(std::vector<Value>& values, const std::vector<uint32_t>& newNumber) {
@@ -99,7 +93,7 @@ size_t completeNormals(TriangleMesh::Data& data, const Progress& progress) {
 
 MeshAssembler::MeshAssembler(std::string fileName, const LoadOptions& options, const Progress& progress)
     : m_fileName(std::move(fileName)),
-      m_memoryLimit(options.memoryLimitBytes > 0 ? options.memoryLimitBytes : threeQuartersOfTheMachine()),
+      m_memoryLimit(options.memoryLimitBytes > 0 ? options.memoryLimitBytes : memoryToPlanWith()),
       m_progress(progress) {}
 
 void MeshAssembler::requireMemory(uint64_t bytes) const {

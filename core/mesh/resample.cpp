@@ -1,7 +1,5 @@
 #include "core/mesh/resample.h"
 
-#include <unistd.h>
-
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
@@ -10,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 #include "core/mesh/half_edge_mesh.h"
 #include "core/mesh/weld.h"
 
@@ -90,8 +89,7 @@ void addOneTriangle(HalfEdgeMesh& mesh) {
 }
 
 void refuseTooLarge(double triangles) {
-    const double memory = 0.75 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-    if (triangles * kBytesPerTriangle > memory)
+    if (triangles * kBytesPerTriangle > static_cast<double>(memoryToPlanWith()))
         throwUsage(
             CULLSCOPE_TR(
                 "Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine's. "

@@ -2,11 +2,8 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/scene/eye_triangle.h"
 #include "core/scene/frustum_share.h"
@@ -184,7 +181,7 @@ CameraPath sphericalCase(const Scene& scene, const SphericalCase& wanted) {
 size_t poseCount(std::string_view text, std::string_view name) {
     size_t count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-    if (error != std::errc() || end != text.data() + text.size() || count < 1 || count > 1'000'000)
+    if (error != std::errc() || end != text.data() + text.size() || count < 1 || count > kMostPoses)
         throwUsage(CULLSCOPE_TR("The path %1 needs a number of poses between 1 and 1000000 after the colon."),
                    {std::string(name)});
     return count;
@@ -201,21 +198,6 @@ std::optional<CameraPath> builtIn(std::string_view name, const Scene& scene) {
     for (const SphericalCase& wanted : kSphericalCases)
         if (name == wanted.name) return sphericalCase(scene, wanted);
     return std::nullopt;
-}
-
-Vec3 vectorOf(const nlohmann::json& pose, const char* field, size_t index, const std::filesystem::path& file) {
-    const auto found = pose.find(field);
-    const bool good = found != pose.end() && found->is_array() && found->size() == 3 &&
-                      std::all_of(found->begin(), found->end(), [](const nlohmann::json& number) { return number.is_number(); });
-    if (!good)
-        throwInput(CULLSCOPE_TR("%1: pose %2: \"%3\" must be three numbers."), {file.string(), std::to_string(index), field});
-    return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
-}
-
-double numberOf(const nlohmann::json& json, const char* field, double fallback, const std::filesystem::path& file) {
-    if (!json.contains(field)) return fallback;
-    if (!json[field].is_number()) throwInput(CULLSCOPE_TR("%1: \"%2\" must be a number."), {file.string(), field});
-    return json[field].get<double>();
 }
 
 }  // namespace
@@ -266,50 +248,6 @@ void fitDepthRange(Camera& camera, const Scene& scene) {
     // depth keeps its precision at such ratios.
     camera.nearDistance = std::max(distance - radius, radius * 1e-3) * 0.5;
     camera.farDistance = (distance + radius) * 2.0;
-}
-
-CameraPath readCameraPath(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
-    nlohmann::json json;
-    try {
-        json = nlohmann::json::parse(in);
-    } catch (const nlohmann::json::out_of_range&) {
-        throwInput(
-            CULLSCOPE_TR("%1 holds a number that is too large. A camera path has the fields fovy_deg, near, far and poses."),
-            {file.string()});
-    } catch (const nlohmann::json::parse_error& failure) {
-        throwInput(
-            CULLSCOPE_TR("%1 is not JSON: it breaks off at byte %2. A camera path has the fields fovy_deg, near, far and poses."),
-            {file.string(), std::to_string(failure.byte)});
-    }
-    if (!json.is_object() || !json.contains("poses") || !json["poses"].is_array() || json["poses"].empty())
-        throwInput(CULLSCOPE_TR("%1: a camera path needs a list \"poses\" with at least one pose."), {file.string()});
-    CameraPath path;
-    path.name = file.string();
-    path.fovy = Angle::fromDegrees(numberOf(json, "fovy_deg", 45, file));
-    path.nearDistance = numberOf(json, "near", path.nearDistance, file);
-    path.farDistance = numberOf(json, "far", path.farDistance, file);
-    for (const nlohmann::json& pose : json["poses"]) {
-        const size_t index = path.poses.size();
-        path.poses.push_back(
-            {vectorOf(pose, "eye", index, file), vectorOf(pose, "target", index, file), vectorOf(pose, "up", index, file)});
-        try {
-            validate(path.camera(index), {1, 1});
-        } catch (const Error& failure) {
-            throwInput(CULLSCOPE_TR("%1: pose %2: %3"), {file.string(), std::to_string(index), failure.message().english()});
-        }
-    }
-    return path;
-}
-
-void writeCameraPath(const std::filesystem::path& file, const CameraPath& path) {
-    const auto array = [](const Vec3& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
-    nlohmann::ordered_json json{{"fovy_deg", path.fovy.degrees()}, {"near", path.nearDistance}, {"far", path.farDistance}};
-    json["poses"] = nlohmann::ordered_json::array();
-    for (const CameraPath::Pose& pose : path.poses)
-        json["poses"].push_back({{"eye", array(pose.eye)}, {"target", array(pose.target)}, {"up", array(pose.up)}});
-    writeFileAtomically(file, [&](std::ostream& out) { out << json.dump(1) << '\n'; });
 }
 
 const std::vector<BuiltInPath>& builtInPaths() {

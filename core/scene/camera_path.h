@@ -24,6 +24,9 @@ struct CameraPath {
     [[nodiscard]] Camera camera(size_t pose) const;
 };
 
+/// The most poses of a path, built in or from a file.
+inline constexpr size_t kMostPoses = 1'000'000;
+
 /// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `front:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
 /// Throws Error(Usage) for an unknown name or a bad number of poses, Error(Input) naming file and field for a bad or missing
 /// file.
@@ -43,7 +46,8 @@ struct CameraPath {
 /// inside it half a thousandth of its radius.
 void fitDepthRange(Camera& camera, const Scene& scene);
 
-/// Reads and writes the JSON form (docs/files.md, "Camera paths").
+/// Reads and writes the JSON form (docs/files.md, "Camera paths"). Reading takes memory for the poses alone, and not for what
+/// else a file holds. Throws Error(Input) naming file and field, and for more than kMostPoses.
 [[nodiscard]] CameraPath readCameraPath(const std::filesystem::path& file);
 void writeCameraPath(const std::filesystem::path& file, const CameraPath& path);
 

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
+#include "core/scene/generator_memory.h"
 #include "core/scene/layers_scene.h"
 #include "core/scene/plant/plant_scene.h"
 #include "core/scene/polygon_scene.h"
@@ -84,17 +85,24 @@ OpenedScene openLecture(Request& request) {
 }
 
 /// All objects of a scene as one mesh, for generators that take "a mesh".
-MeshPointer merged(const Scene& scene, const Progress& progress) {
+MeshPointer merged(const Scene& scene, const Request& request) {
     if (scene.instances().size() == 1) return scene.meshes()[scene.instances()[0].mesh];
     if (double(scene.triangleCount()) > kMostTriangles)
         throwUsage(CULLSCOPE_TR("\"%1\" has %2 triangles, too many to be one mesh."),
                    {scene.name(), std::to_string(scene.triangleCount())});
+    size_t vertices = 0;
+    for (const Instance& instance : scene.instances()) vertices += scene.meshes()[instance.mesh]->vertexCount();
+    requireGeneratorMemory(request.info.id,
+                           double(vertices) * 2 * sizeof(Vec3f) + double(scene.triangleCount()) * 3 * sizeof(uint32_t),
+                           request.options.load);
     TriangleMesh::Data data;
     data.name = scene.name();
     data.origin = scene.bounds().centre();
+    data.positions.reserve(vertices);
+    data.normals.reserve(vertices);
     data.indices.reserve(scene.triangleCount() * 3);
     for (const Instance& instance : scene.instances()) {
-        progress.check();
+        request.progress.check();
         const TriangleMesh& mesh = *scene.meshes()[instance.mesh];
         const auto first = static_cast<uint32_t>(data.positions.size());
         for (size_t v = 0; v < mesh.vertexCount(); ++v)
@@ -116,9 +124,8 @@ OpenedScene openResampledMesh(Request& request) {
     SceneRemarks remarks;
     remarks.up = opened.scene->remarks().up;
     remarks.guessedUp = opened.scene->remarks().guessedUp;
-    OpenedScene result =
-        sceneOfOne(resampled(*merged(*opened.scene, request.progress), triangles, request.progress.part(0.3, 1.0)), request,
-                   std::move(remarks));
+    OpenedScene result = sceneOfOne(resampled(*merged(*opened.scene, request), triangles, request.progress.part(0.3, 1.0)),
+                                    request, std::move(remarks));
     result.report = std::move(opened.report);
     if (result.report && result.scene->triangleCount() != triangles)
         result.report->remarks.push_back(
@@ -131,8 +138,9 @@ OpenedScene openField(Request& request) {
     const std::string inner = request.arguments.text("mesh", "bunny");
     const size_t n = request.arguments.count("n", 20, 2000);
     const double spacing = request.arguments.number("spacing", 2.5, 0.0, 1e9);
+    requireGeneratorMemory(request.info.id, double(n) * double(n) * kBytesOfInstance, request.options.load);
     OpenedScene one = openScene(inner, request.options, request.progress);
-    MeshPointer mesh = merged(*one.scene, request.progress);
+    MeshPointer mesh = merged(*one.scene, request);
 
     const Vec3 centre = mesh->origin() + mesh->localBounds().centre();
     double farthestSquared = 0.0;
@@ -182,6 +190,9 @@ OpenedScene openLayers(Request& request) {
     layers.count = request.arguments.count("count", double(layers.count), kMostLayers);
     layers.triangles = request.arguments.count("triangles", double(layers.triangles), kMostOfALayer);
     layers.waves = request.arguments.number("waves", layers.waves, 0.0, 1.0);
+    requireGeneratorMemory(request.info.id,
+                           double(layers.triangles) * kBytesOfMadeTriangle + double(layers.count) * kBytesOfInstance,
+                           request.options.load);
     return {layersScene(request.specification, layers, request.progress), request.specification, std::nullopt};
 }
 
@@ -189,6 +200,7 @@ OpenedScene openPlant(Request& request) {
     PlantOptions plant;
     plant.pipelines = request.arguments.count("pipelines", double(plant.pipelines), kMostPipelines);
     plant.seed = uint64_t(request.arguments.wholeNumber("seed", double(plant.seed), 0, 9e15));
+    requireGeneratorMemory(request.info.id, double(plant.pipelines) * kBytesOfPipeline, request.options.load);
     return {plantScene(request.specification, plant, request.progress), request.specification, std::nullopt};
 }
 
@@ -196,6 +208,7 @@ MeshPointer parametricMesh(Request& request) {
     const std::string& id = request.info.id;
     const Progress& progress = request.progress;
     const size_t triangles = request.arguments.count("triangles", id == "teapot" ? 64e3 : 1e5, kMostTriangles);
+    requireGeneratorMemory(id, double(triangles) * kBytesOfMadeTriangle, request.options.load);
     if (id == "star")
         return starMesh(static_cast<uint64_t>(request.arguments.wholeNumber("seed", 7, 0, 9e15)), triangles, progress);
     if (id == "teapot") return teapotMesh(triangles, progress);
@@ -272,9 +285,10 @@ const std::vector<Generator>& generators() {
 const Generator* generatorOf(std::string_view specification) {
     const size_t colon = specification.find(':');
     const std::string_view id = specification.substr(0, colon);
+    std::error_code ignored;
     for (const Generator& generator : generators())
         if (generator.info.id == id)
-            return colon == std::string_view::npos && std::filesystem::is_regular_file(id) ? nullptr : &generator;
+            return colon == std::string_view::npos && std::filesystem::is_regular_file(id, ignored) ? nullptr : &generator;
     return nullptr;
 }
 

@@ -78,6 +78,11 @@ private:
             const auto info = std::find_if(m_known.begin(), m_known.end(),
                                            [&](const GeneratorInfo& each) { return each.id == value.substr(0, colon); });
             if (info == m_known.end()) return;
+            // Each level is cut once more when its own scene is opened, so that the time grows with the square of the depth.
+            if (m_levels.size() + 1 >= kMostNestedGenerators)
+                throwUsage(CULLSCOPE_TR("More than %1 generators stand one inside another. Write the inner scene to a mesh file "
+                                        "with cullbench export, and name that file."),
+                           {std::to_string(kMostNestedGenerators)});
             m_levels.push_back({&*info, {}});
             value.remove_prefix(colon + 1);
             const Specification::Piece piece = pieceOf(value);

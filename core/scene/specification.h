@@ -34,7 +34,11 @@ struct Specification {
     /// The specification as text again.
     [[nodiscard]] std::string text() const;
 };
-/// `known`: all generators. Text without a colon has no pieces.
+/// The most generators of which one is another's mesh, the outermost and the innermost counted.
+inline constexpr size_t kMostNestedGenerators = 64;
+
+/// `known`: all generators. Text without a colon has no pieces. Throws Error(Usage) where more generators are nested than
+/// kMostNestedGenerators.
 [[nodiscard]] Specification cutSpecification(std::string_view text, const std::vector<GeneratorInfo>& known);
 
 /// A generator's parameters, read one by one with their defaults. An invalid value throws Error(Usage) that names the generator

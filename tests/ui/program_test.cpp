@@ -138,13 +138,31 @@ TEST(Program, sceneAfterAFolderOfModelsIsOpened) {
     EXPECT_FALSE(QImage(file).isNull());
 }
 
-TEST(Program, aSceneThatCannotBeReadIsSaidAndShown) {
+TEST(Program, whatCannotBeReadIsSaidAndShown) {
     const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("window.png"));
-    const Ended ended = runProgram({QStringLiteral("/nonexistent.obj"), QStringLiteral("--screenshot"), file});
-    EXPECT_EQ(ended.status, 3);
-    EXPECT_TRUE(ended.errors.contains(QStringLiteral("/nonexistent.obj"))) << ended.errors.toStdString();
-    EXPECT_FALSE(QImage(file).isNull());
+    const auto written = [&](const char* name, const QByteArray& bytes) {
+        const QString path = folder.filePath(QLatin1String(name));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+        return path;
+    };
+    const QByteArray noScene =
+        R"({"format": "cullscope session", "version": 1, "scene": "/nonexistent.obj", "views": [{"strategy": "all"}],)"
+        R"( "camera": {"eye": [0, 0, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fovy_rad": 0.8,)"
+        R"( "near": 0.01, "far": 100}})";
+    for (const QString& named :
+         {QStringLiteral("/nonexistent.obj"), QStringLiteral("/nonexistent.cullscope"), QStringLiteral("/nonexistent.png"),
+          written("incomplete.cullscope", R"({"format":"cullscope session"})"), written("no-scene.cullscope", noScene),
+          written("no-picture.png", "no picture")}) {
+        SCOPED_TRACE(named.toStdString());
+        const QString file = folder.filePath(QStringLiteral("window.png"));
+        const Ended ended = runProgram({named, QStringLiteral("--screenshot"), file});
+        EXPECT_EQ(ended.status, 3);
+        const QString name = named.contains(QStringLiteral("no-scene")) ? QStringLiteral("/nonexistent.obj") : named;
+        EXPECT_TRUE(ended.errors.contains(name)) << ended.errors.toStdString();
+        EXPECT_FALSE(QImage(file).isNull());
+        EXPECT_TRUE(QFile::remove(file));
+    }
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include "core/geometry/random.h"
 #include "core/visibility/registry.h"
 #include "tests/support/long_mode.h"
+#include "tests/support/peak_memory.h"
+#include "ui/session/view_sizes.h"
 
 namespace cullscope::ui::session_file_test {
 namespace {
@@ -40,14 +42,19 @@ Camera anyCamera(Random& random) {
     return camera;
 }
 
+/// So large that eight views together have as many pixels as a session can.
+Viewport anySize(Random& random) {
+    return {1 + int(below(random, 16384)), 1 + int(below(random, kMostPixelsOfSession / 8 / 16384))};
+}
+
 ViewSetup anySetup(Random& random) {
     ViewSetup setup;
     setup.role = oneOf(random, {Role::Linked, Role::Frozen});
     setup.observed = int(below(random, 8));
     setup.viewing = anyCamera(random);
     setup.culling = anyCamera(random);
-    if (random.unit() < 0.5) setup.size = Viewport{1 + int(below(random, 16384)), 1 + int(below(random, 16384))};
-    if (random.unit() < 0.5) setup.cullingSize = Viewport{1 + int(below(random, 16384)), 1 + int(below(random, 16384))};
+    if (random.unit() < 0.5) setup.size = anySize(random);
+    if (random.unit() < 0.5) setup.cullingSize = anySize(random);
     setup.upload = oneOf(random, {Upload::Vbo, Upload::VertexArray});
     const auto any = [&] { return random.unit() < 0.5; };
     for (const Show* show : pictureShows()) setup.look.show(show->id, any());
@@ -169,9 +176,9 @@ TEST(SessionText, randomlyDamagedTextsNeverCrash) {
         refused += refusal(damaged).empty() ? 0 : 1;
     }
     EXPECT_GT(refused, 2000u);
-    const std::string nested(100'000, '[');
+    const std::string nested(40'000, '[');
     EXPECT_THAT(refusal(nested), HasSubstr("not JSON"));
-    EXPECT_EQ(refusal(nested + std::string(100'000, ']')), "no session");
+    EXPECT_EQ(refusal(nested + std::string(40'000, ']')), "no session");
 }
 
 /// The error message for a random state's text in which one value, given by a JSON pointer, is replaced.
@@ -231,6 +238,29 @@ TEST(SessionText, whatIsWrongIsSaidWithItsPlace) {
     std::string huge = textOf(someState());
     huge.replace(huge.find("\"chosen_near\":"), 14, "\"chosen_near\": 1e999, \"x\":");
     EXPECT_THAT(refusal(huge), HasSubstr("a number in it is too large."));
+}
+
+TEST(SessionText, moreThanItsViewsMayTakeIsRefusedBeforeAnythingIsMade) {
+    const auto sized = [](const char* field, int views, int width, int height) {
+        SessionState state = someState();
+        for (SessionState::View& view : state.views) view.setup.size.reset(), view.setup.cullingSize.reset();
+        nlohmann::json json = nlohmann::json::parse(textOf(state));
+        for (int view = 0; view < views; ++view) json["views"][size_t(view)][field] = {{"width", width}, {"height", height}};
+        return refusal(json.dump());
+    };
+    for (const char* field : {"size", "culling_size"}) {
+        EXPECT_THAT(sized(field, 8, 16384, 16384),
+                    HasSubstr("\"views\": The views' pictures would have 2148 million pixels together"));
+        EXPECT_EQ(sized(field, 2, 8192, 8192), "");
+        EXPECT_THAT(sized(field, 2, 8192, 8193), HasSubstr("and at most 134 million are possible"));
+    }
+    std::string many = textOf(someState());
+    std::string lists;
+    for (int i = 0; i < 300'000; ++i) lists += "[],";
+    many.insert(many.find('{') + 1, "\"unknown\": [" + lists + "[]],");
+    EXPECT_THAT(refusal(many), HasSubstr("it has more than 100000 values."));
+    if (!test::kMemoryIsTheWorks) return;
+    EXPECT_LT(test::peakBytesOf([&] { (void)refusal(many); }), size_t{16} << 20);
 }
 
 TEST(SessionText, aViewThatWatchesItselfOrAnObserverIsRefused) {

@@ -22,10 +22,12 @@ struct Opener : ::testing::Test {
                          [&](Severity, const Message& message) { said.push_back(message.english()); });
         QObject::connect(&opener, &SessionOpener::opened, [&](const QString& what) { opened.push_back(what.toStdString()); });
         QObject::connect(&opener, &SessionOpener::restored, [&] { ++restored; });
+        QObject::connect(&opener, &SessionOpener::failed, [&] { ++failed; });
     }
     [[nodiscard]] QString in(const char* name) const { return folder.filePath(QLatin1String(name)); }
     void expectSentence(const QString& file, const char* part) {
         const size_t before = said.size();
+        const int failedBefore = failed;
         const SessionState state = opener.current({});
         const OpenedScenePointer scene = session.opened();
         opener.open(file);
@@ -33,6 +35,7 @@ struct Opener : ::testing::Test {
         QTest::qWait(20);
         EXPECT_EQ(said.size(), before + 1);
         EXPECT_THAT(said.back(), HasSubstr(part));
+        EXPECT_EQ(failed, failedBefore + 1) << file.toStdString();
         EXPECT_EQ(session.opened(), scene);
         EXPECT_EQ(opener.current({}), state);
     }
@@ -42,7 +45,7 @@ struct Opener : ::testing::Test {
     CameraBookmarks bookmarks;
     SessionOpener opener{session, bookmarks};
     std::vector<std::string> said, opened;
-    int restored = 0;
+    int restored = 0, failed = 0;
 };
 
 TEST_F(Opener, tellsTypesApart) {

@@ -16,45 +16,6 @@
 namespace cullscope::ui::session_test {
 namespace {
 
-TEST(JobNumbers, onlyTheNewestCounts) {
-    JobNumbers jobs;
-    const uint64_t first = jobs.begin();
-    EXPECT_TRUE(jobs.isCurrent(first));
-    const uint64_t second = jobs.begin();
-    EXPECT_FALSE(jobs.isCurrent(first));
-    EXPECT_TRUE(jobs.isCurrent(second));
-    jobs.invalidate();
-    EXPECT_FALSE(jobs.isCurrent(second));
-}
-
-TEST(Background, staleResultsAreDropped) {
-    std::vector<int> delivered;
-    std::atomic<bool> release{false};
-    Background background;
-    for (int i = 0; i < 5; ++i)
-        background.start([&, i](const std::stop_token&) -> Background::Delivery {
-            while (!release) std::this_thread::yield();
-            return [&delivered, i] { delivered.push_back(i); };
-        });
-    release = true;
-    ASSERT_TRUE(waitUntil([&] { return !background.busy(); }));
-    QTest::qWait(50);
-    EXPECT_EQ(delivered, std::vector<int>{4});
-}
-
-TEST(Background, cancelledWorkBringsNothing) {
-    bool delivered = false;
-    Background background;
-    background.start([&](const std::stop_token& stop) -> Background::Delivery {
-        while (!stop.stop_requested()) std::this_thread::yield();
-        return [&delivered] { delivered = true; };
-    });
-    background.cancel();
-    EXPECT_FALSE(background.busy());
-    QTest::qWait(50);
-    EXPECT_FALSE(delivered);
-}
-
 /// Loads "slow" until it is told to stop, refuses "bad", and leaves the rest to core.
 OpenedScene slowOrBad(const std::string& specification, const Progress& progress) {
     if (specification == "bad") throwInput("%1 is bad.", {"bad"});
@@ -87,6 +48,19 @@ TEST(Session, failedAndCancelledLoadingLeavesTheSceneAsItWas) {
     EXPECT_EQ(session.opened(), before);
     EXPECT_EQ(session.camera(), camera);
     EXPECT_EQ(said, (std::vector<std::string>{"bad is bad.", "Opening slow was cancelled."}));
+}
+
+TEST(Session, tooManyNestedGeneratorsAreRefusedLikeAnyScene) {
+    Session session{sessionOptions(false)};
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    const OpenedScenePointer before = session.opened();
+    std::vector<std::string> said;
+    QObject::connect(&session, &Session::messageRaised,
+                     [&](Severity, const Message& message) { said.push_back(message.english()); });
+    openAndWait(session, QStringLiteral("mesh:").repeated(100) + QStringLiteral("sphere:triangles=80"));
+    EXPECT_EQ(session.opened(), before);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("More than 64 generators"), std::string::npos) << said[0];
 }
 
 TEST(Session, aNewerOpenTakesThePlaceOfAnOlderOne) {
@@ -149,6 +123,33 @@ TEST(Session, aSceneThatSaysWhatIsUpOpensStandingAndLeavesTheChoiceForOthers) {
     session.setUpAxis(UpAxis::Z);
     openAndWait(session, QStringLiteral("torus:triangles=320"));
     EXPECT_EQ(session.upAxis(), UpAxis::Z) << "chosen for scenes that do not say it";
+}
+
+TEST(Session, picturesOfAllViewsHaveOneLimitTogether) {
+    Session session{sessionOptions(false)};
+    std::vector<std::string> said;
+    QObject::connect(&session, &Session::messageRaised,
+                     [&](Severity, const Message& message) { said.push_back(message.english()); });
+    const Viewport large{8192, 8192}, small{640, 480}, of4k{3840, 2160};
+    session.setPictureSize({0, 1, 2, 3, 4, 5, 6, 7}, of4k);
+    EXPECT_TRUE(said.empty());
+    EXPECT_EQ(session.setup(7).size, of4k);
+    session.setPictureSize({3}, large);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("126 million pixels together, and at most 67 million"), std::string::npos) << said[0];
+    EXPECT_EQ(session.setup(3).size, of4k) << "nothing is changed";
+    session.setPictureSize({0, 1, 2, 3, 4, 5, 6, 7}, std::nullopt);
+    session.setPictureSize({3}, large);
+    EXPECT_EQ(session.setup(3).size, large);
+    // A session may have asked for more: then everything that makes it less is possible.
+    ViewSetup asked = session.setup(4);
+    asked.size = large;
+    session.setSetup(4, asked);
+    session.setPictureSize({5}, small);
+    EXPECT_EQ(session.setup(5).size, std::nullopt);
+    session.setPictureSize({4}, Viewport{8192, 4096});
+    EXPECT_EQ(session.setup(4).size, (Viewport{8192, 4096}));
+    EXPECT_EQ(said.size(), 2u);
 }
 
 TEST(CullbenchCommand, repeatsTheView) {

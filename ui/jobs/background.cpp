@@ -1,16 +1,40 @@
 #include "ui/jobs/background.h"
 
+#include <QCoreApplication>
+#include <system_error>
+
+#include "core/base/error.h"
+
 namespace cullscope::ui {
 
-void Background::start(Work work) {
+void Background::start(Work work, Failed failed) {
     stopAll();
     const uint64_t job = m_jobs.begin();
     m_busy = true;
-    m_running.push_back({job, std::jthread([this, job, work = std::move(work)](const std::stop_token& stop) {
-                             Delivery deliver = work(stop);
-                             QMetaObject::invokeMethod(
-                                 this, [this, job, deliver = std::move(deliver)] { finish(job, deliver); }, Qt::QueuedConnection);
-                         })});
+    const auto onThread = [this, job, work = std::move(work), failed](const std::stop_token& stop) {
+        Delivery deliver;
+        try {
+            deliver = work(stop);
+        } catch (const std::exception& failure) {
+            deliver = failed(failure);
+        }
+        post(job, std::move(deliver));
+    };
+    try {
+        m_running.push_back({job, std::jthread(onThread)});
+    } catch (const std::system_error& failure) {
+        const Message why{
+            QT_TRANSLATE_NOOP("core", "The system gives no thread for this: %1. Close other programs and try again."),
+            {systemReason(failure.code().value())}};
+        post(job, failed(Error(ErrorKind::Input, why)));
+    } catch (const std::exception& failure) {
+        post(job, failed(failure));
+    }
+}
+
+void Background::post(uint64_t job, Delivery deliver) {
+    QMetaObject::invokeMethod(
+        this, [this, job, deliver = std::move(deliver)] { finish(job, deliver); }, Qt::QueuedConnection);
 }
 
 void Background::cancel() {

@@ -139,7 +139,7 @@ void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPo
     m_board = std::make_shared<Board>();
     m_running = true;
     const auto ready = std::make_shared<Ready>(Ready{request, {}, m_gpu->info(), uploaded, m_stop.get_token(), m_board});
-    m_building.start([this, ready, structures = m_structures](const std::stop_token&) -> Background::Delivery {
+    const auto build = [this, ready, structures = m_structures](const std::stop_token&) -> Background::Delivery {
         Progress progress;
         progress.stop = ready->stop;
         progress.report = [&](double share, std::string_view stage) {
@@ -147,14 +147,13 @@ void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPo
             ready->board->share = kBuilding * share;
             ready->board->stage = stage;
         };
-        try {
-            ready->contestants = buildContestants(ready->request, ready->gl, *structures, progress);
-            return [this, ready] { measure(ready); };
-        } catch (const std::exception& error) {
-            const Outcome outcome =
-                stoppedByUser(error) ? Outcome{nothingOf(ready->request), {}} : Outcome{std::nullopt, experimentFailure(error)};
-            return [this, outcome] { deliver(outcome); };
-        }
+        ready->contestants = buildContestants(ready->request, ready->gl, *structures, progress);
+        return [this, ready] { measure(ready); };
+    };
+    m_building.start(build, [this, ready](const std::exception& error) -> Background::Delivery {
+        const Outcome outcome =
+            stoppedByUser(error) ? Outcome{nothingOf(ready->request), {}} : Outcome{std::nullopt, experimentFailure(error)};
+        return [this, outcome] { deliver(outcome); };
     });
     m_poll.start();
     emit started();

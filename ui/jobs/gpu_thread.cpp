@@ -41,6 +41,11 @@ GpuThread::GpuThread(Options options) : m_options(std::move(options)) {
     m_mailbox->thread = this;
     m_thread.setObjectName(QStringLiteral("cullscope-gpu"));
     m_thread.start();
+    if (!m_thread.isRunning())
+        throwOpenGl(
+            QT_TRANSLATE_NOOP("core",
+                              "The system gives no thread for OpenGL. Close other programs, or allow this one more memory "
+                              "and threads (ulimit)."));
     std::exception_ptr failure;
     QMetaObject::invokeMethod(
         &m_worker,

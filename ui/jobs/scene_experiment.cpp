@@ -34,9 +34,14 @@ void SceneExperiment::start(const Experiment& experiment, const ScenePointer& sc
     // Nothing of an older run is told any more.
     if (std::exchange(m_due, nullptr)) m_runner.cancel();
     m_running = true;
-    m_background.start([this, kept = m_experiment, scene, repetitions](const std::stop_token& stop) {
-        return run(*kept, scene, repetitions, stop);
-    });
+    m_background.start([this, kept = m_experiment, scene,
+                        repetitions](const std::stop_token& stop) { return run(*kept, scene, repetitions, stop); },
+                       [this](const std::exception& error) -> Background::Delivery {
+                           return [this, message = experimentFailure(error)] {
+                               emit failed(message);
+                               end();
+                           };
+                       });
 }
 
 void SceneExperiment::cancel() {
@@ -60,20 +65,13 @@ Background::Delivery SceneExperiment::run(const Experiment& experiment, const Sc
             this, [this, request, due, stop] { measure(request, due, stop); }, Qt::QueuedConnection);
         return due->wait(stop);
     };
-    try {
-        const ResultTable table = runExperiment(experiment, {{}, repetitions}, {nullptr, stop}, {}, stage);
-        return [this, table] {
-            // Where the measurement failed there is no result, and that was said.
-            if (m_result.request.scene) emit measured(table, m_result);
-            m_result = {};
-            if (m_running) end();
-        };
-    } catch (const std::exception& error) {
-        return [this, message = experimentFailure(error)] {
-            emit failed(message);
-            end();
-        };
-    }
+    const ResultTable table = runExperiment(experiment, {{}, repetitions}, {nullptr, stop}, {}, stage);
+    return [this, table] {
+        // Where the measurement failed there is no result, and that was said.
+        if (m_result.request.scene) emit measured(table, m_result);
+        m_result = {};
+        if (m_running) end();
+    };
 }
 
 // ---- On the window's thread

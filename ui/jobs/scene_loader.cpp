@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "core/scene/absolute_files.h"
 
 namespace cullscope::ui {
 
@@ -21,9 +22,11 @@ SceneLoader::SceneLoader(Opener opener, QObject* parent) : QObject(parent), m_op
 void SceneLoader::open(const QString& specification) {
     m_specification = specification;
     m_board = std::make_shared<Board>();
-    m_background.start([this, text = specification.toStdString(), board = m_board](const std::stop_token& stop) {
-        return run(text, board, stop);
-    });
+    m_background.start(
+        [this, text = specification.toStdString(), board = m_board](const std::stop_token& stop) {
+            return run(text, board, stop);
+        },
+        [this, text = specification.toStdString()](const std::exception& failure) { return failureOf(text, failure); });
     m_poll.start();
     emit started(specification);
 }
@@ -55,26 +58,27 @@ Background::Delivery SceneLoader::run(const std::string& specification, const st
         board->share = share;
         board->stage = stage;
     };
-    const auto fail = [this](Message message) -> Background::Delivery {
-        return [this, message = std::move(message)] {
-            m_poll.stop();
-            emit failed(message);
-        };
+    // First of all, because the working folder may go away while the scene is opened.
+    const std::string absolute = withAbsoluteFiles(specification);
+    OpenedScene opened = m_opener(specification, progress);
+    if (opened.specification == specification) opened.specification = absolute;
+    const auto scene = std::make_shared<const OpenedScene>(std::move(opened));
+    return [this, scene] {
+        m_poll.stop();
+        emit loaded(scene);
     };
-    try {
-        auto scene = std::make_shared<const OpenedScene>(m_opener(specification, progress));
-        return [this, scene] {
-            m_poll.stop();
-            emit loaded(scene);
-        };
-    } catch (const Error& error) {
-        return fail(error.message());
-    } catch (const std::bad_alloc&) {
-        return fail(
-            {QT_TRANSLATE_NOOP("core", "There is not enough memory to open %1. Choose a smaller model."), {specification}});
-    } catch (const std::exception& error) {
-        return fail({QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {specification, error.what()}});
-    }
+}
+
+Background::Delivery SceneLoader::failureOf(const std::string& specification, const std::exception& failure) {
+    Message message{QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {specification, failure.what()}};
+    if (const auto* error = dynamic_cast<const Error*>(&failure))
+        message = error->message();
+    else if (dynamic_cast<const std::bad_alloc*>(&failure))
+        message = {QT_TRANSLATE_NOOP("core", "There is not enough memory to open %1. Choose a smaller model."), {specification}};
+    return [this, message = std::move(message)] {
+        m_poll.stop();
+        emit failed(message);
+    };
 }
 
 }  // namespace cullscope::ui

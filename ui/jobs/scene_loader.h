@@ -24,6 +24,8 @@ public:
 
     explicit SceneLoader(Opener opener, QObject* parent = nullptr);
 
+    /// Files of the specification are named by absolute paths from now on: in the opened scene's specification, so that nothing
+    /// that is done with it later depends on the working folder.
     void open(const QString& specification);
     /// Stops the loading: `loading` is false at once, and the worker thread ends within 100 ms.
     void cancel();
@@ -48,6 +50,7 @@ private:
 
     void showProgress();
     Background::Delivery run(const std::string& specification, const std::shared_ptr<Board>& board, const std::stop_token& stop);
+    Background::Delivery failureOf(const std::string& specification, const std::exception& failure);
 
     Opener m_opener;
     Background m_background;

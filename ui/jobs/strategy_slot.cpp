@@ -69,26 +69,24 @@ void StrategySlot::refuse(const Message& why) {
 }
 
 void StrategySlot::start() {
-    m_background.start([this, id = m_id, parameters = m_parameters, scene = m_scene,
-                        structures = m_structures](const std::stop_token& stop) -> Background::Delivery {
-        try {
-            Progress progress;
-            progress.stop = stop;
-            const BuiltStrategyPointer built = buildStrategy(id, parameters, scene, *structures, progress);
-            return [this, built] {
-                m_built = built;
-                emit builtChanged();
-                if (std::exchange(m_again, false)) start();
-            };
-        } catch (const std::exception& error) {
-            const auto* known = dynamic_cast<const Error*>(&error);
-            const Message other{QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"),
-                                {id, error.what()}};
-            return [this, message = known ? known->message() : other] {
-                emit failed(message);
-                if (std::exchange(m_again, false)) start();
-            };
-        }
+    const auto work = [this, id = m_id, parameters = m_parameters, scene = m_scene,
+                       structures = m_structures](const std::stop_token& stop) -> Background::Delivery {
+        Progress progress;
+        progress.stop = stop;
+        const BuiltStrategyPointer built = buildStrategy(id, parameters, scene, *structures, progress);
+        return [this, built] {
+            m_built = built;
+            emit builtChanged();
+            if (std::exchange(m_again, false)) start();
+        };
+    };
+    m_background.start(work, [this, id = m_id](const std::exception& error) -> Background::Delivery {
+        const auto* known = dynamic_cast<const Error*>(&error);
+        const Message other{QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"), {id, error.what()}};
+        return [this, message = known ? known->message() : other] {
+            emit failed(message);
+            if (std::exchange(m_again, false)) start();
+        };
     });
 }
 

@@ -25,12 +25,20 @@ MessageBar::MessageBar(QWidget& below)
       m_below(below),
       m_icon(new QLabel(this)),
       m_text(new QLabel(this)),
+      m_take(new QToolButton(this)),
       m_close(new QToolButton(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 4, 4);
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
+    layout->addWidget(m_take);
     layout->addWidget(m_close);
+    m_take->hide();
+    connect(m_take, &QToolButton::clicked, this, [this] {
+        const std::function<void()> take = m_taken;
+        hide();
+        take();
+    });
     setFrameShape(QFrame::StyledPanel);
     // A click on the bar must not reach the widget below.
     setAttribute(Qt::WA_NoMousePropagation);
@@ -52,6 +60,7 @@ MessageBar::MessageBar(QWidget& below)
 void MessageBar::show(Severity severity, const Message& message) {
     m_severity = severity;
     m_message = message;
+    m_take->hide();
     refresh();
     setVisible(!message.empty());
     raise();
@@ -62,6 +71,14 @@ void MessageBar::show(Severity severity, const Message& message) {
     qApp->installEventFilter(this);
 }
 
+void MessageBar::offer(const Message& message, const std::string& action, std::function<void()> take) {
+    show(Severity::Warning, message);
+    m_action = action;
+    m_taken = std::move(take);
+    m_take->show();
+    refresh();
+}
+
 void MessageBar::refresh() {
     const QStyle::StandardPixmap symbol = m_severity == Severity::Error     ? QStyle::SP_MessageBoxCritical
                                           : m_severity == Severity::Warning ? QStyle::SP_MessageBoxWarning
@@ -69,6 +86,7 @@ void MessageBar::refresh() {
     m_icon->setPixmap(style()->standardIcon(symbol).pixmap(20, 20));
     m_text->setText(translated(m_message));
     m_text->setAccessibleName(m_text->text());
+    m_take->setText(translated(m_action));
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(m_close->toolTip());
     place();

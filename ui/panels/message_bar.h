@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QTimer>
 #include <QToolButton>
+#include <functional>
+#include <string>
 
 #include "core/base/message.h"
 #include "ui/session/session.h"
@@ -23,6 +25,11 @@ public:
     /// How long information stays; 6000 unless it is set.
     void setInformationTime(int milliseconds) { m_end.setInterval(milliseconds); }
     void show(Severity severity, const Message& message);
+    /// Shows a warning with a button that does something about it and closes the bar. Sentence and button are marked for
+    /// translation.
+    void offer(const Message& message, const std::string& action, std::function<void()> take);
+    /// The button; hidden where nothing is offered.
+    [[nodiscard]] QToolButton& offered() { return *m_take; }
     [[nodiscard]] QString text() const { return m_text->text(); }
 
 protected:
@@ -37,7 +44,10 @@ private:
     QWidget& m_below;
     QLabel* m_icon;
     QLabel* m_text;
+    QToolButton* m_take;
     QToolButton* m_close;
+    std::string m_action;
+    std::function<void()> m_taken;
     Severity m_severity = Severity::Information;
     Message m_message;
     QTimer m_end;

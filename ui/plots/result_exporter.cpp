@@ -10,26 +10,23 @@ namespace cullscope::ui {
 void ResultExporter::write(const std::filesystem::path& path, Contents contents) {
     // A Background knows one piece of work at a time; each file is its own.
     auto* background = new Background(this);
-    background->start([this, background, path, contents = std::move(contents)](const std::stop_token&) -> Background::Delivery {
-        return [deliver = run(path, contents), background] {
-            background->deleteLater();
-            deliver();
-        };
-    });
-}
-
-Background::Delivery ResultExporter::run(const std::filesystem::path& path, const Contents& contents) {
-    try {
+    const auto work = [this, background, path, contents = std::move(contents)](const std::stop_token&) -> Background::Delivery {
         const QByteArray bytes = contents();
         writeFileAtomically(path, [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
-        return [this, path] { emit written(QString::fromStdString(path.string())); };
-    } catch (const Error& error) {
-        return [this, message = error.message()] { emit failed(message); };
-    } catch (const std::exception& error) {
-        const Message message{QT_TRANSLATE_NOOP("core", "%1 cannot be written: %2. Choose another place or free some space."),
-                              {path.string(), error.what()}};
-        return [this, message] { emit failed(message); };
-    }
+        return [this, background, path] {
+            background->deleteLater();
+            emit written(QString::fromStdString(path.string()));
+        };
+    };
+    background->start(work, [this, background, path](const std::exception& error) -> Background::Delivery {
+        Message message{QT_TRANSLATE_NOOP("core", "%1 cannot be written: %2. Choose another place or free some space."),
+                        {path.string(), error.what()}};
+        if (const auto* known = dynamic_cast<const Error*>(&error)) message = known->message();
+        return [this, background, message] {
+            background->deleteLater();
+            emit failed(message);
+        };
+    });
 }
 
 }  // namespace cullscope::ui

@@ -25,9 +25,6 @@ public:
 signals:
     void written(const QString& path);
     void failed(const cullscope::Message& message);
-
-private:
-    [[nodiscard]] Background::Delivery run(const std::filesystem::path& path, const Contents& contents);
 };
 
 }  // namespace cullscope::ui

@@ -12,6 +12,11 @@ namespace {
 
 constexpr double kDrawingShare = 0.7;  // fraction of the progress; painting and writing take the rest
 
+Message pictureFailure(const std::exception& error) {
+    return sentenceOf(error, QT_TRANSLATE_NOOP("core", "The picture cannot be made: %1."),
+                      QT_TRANSLATE_NOOP("core", "There is no memory for this picture: choose a smaller size."));
+}
+
 /// Runs `work` and returns the sentence of the error that it throws; empty: it succeeded.
 template <typename Work>
 Message failureOf(const Work& work) {
@@ -19,8 +24,7 @@ Message failureOf(const Work& work) {
         work();
         return {};
     } catch (const std::exception& error) {
-        return sentenceOf(error, QT_TRANSLATE_NOOP("core", "The picture cannot be made: %1."),
-                          QT_TRANSLATE_NOOP("core", "There is no memory for this picture: choose a smaller size."));
+        return pictureFailure(error);
     }
 }
 
@@ -85,16 +89,16 @@ void Screenshot::draw(GpuJobs::Step& step) {
 }
 
 void Screenshot::write(const std::shared_ptr<Pictures>& pictures) {
-    m_background.start([this, plan = m_plan, path = m_path, pictures](const std::stop_token& stop) {
-        const Message failure = failureOf([&] {
-            const Picture picture = screenshotPicture(plan, std::move(*pictures));
-            if (!stop.stop_requested()) writePicture(path, picture, plan.style.background);
-        });
-        return [this, failure, path] {
-            if (!failure.empty()) return emit failed(failure);
+    const auto work = [this, plan = m_plan, path = m_path, pictures](const std::stop_token& stop) -> Background::Delivery {
+        const Picture picture = screenshotPicture(plan, std::move(*pictures));
+        if (!stop.stop_requested()) writePicture(path, picture, plan.style.background);
+        return [this, path] {
             emit progressed(1.0);
             emit done(QString::fromStdString(path.string()));
         };
+    };
+    m_background.start(work, [this](const std::exception& error) -> Background::Delivery {
+        return [this, why = pictureFailure(error)] { emit failed(why); };
     });
 }
 

@@ -64,8 +64,7 @@ QStringList lookWords(const ViewLook& look) {
 QStringList sceneWords(const QString& command, const std::string& scene, const std::vector<std::filesystem::path>& modelFolders) {
     QStringList words;
     for (const std::filesystem::path& folder : modelFolders)
-        words << QStringLiteral("--models")
-              << QString::fromStdString(std::filesystem::absolute(folder).lexically_normal().string());
+        words << QStringLiteral("--models") << QString::fromStdString(absoluteFile(folder.string()));
     return words << command << QString::fromStdString(withAbsoluteFiles(scene));
 }
 

@@ -57,10 +57,12 @@ void PaperRunner::start(const Experiment& experiment, int repetitions) {
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
     emit tableChanged();
-    m_background.start([this, number = ++m_run, kept = m_experiment,
-                        options = ExperimentOptions{m_session.sceneSource(), repetitions}](const std::stop_token& stop) {
-        return run(number, *kept, options, stop);
-    });
+    m_background.start(
+        [this, number = ++m_run, kept = m_experiment, options = ExperimentOptions{m_session.sceneSource(), repetitions}](
+            const std::stop_token& stop) { return run(number, *kept, options, stop); },
+        [this](const std::exception& error) -> Background::Delivery {
+            return [this, message = experimentFailure(error)] { fail(message); };
+        });
 }
 
 void PaperRunner::cancel() {
@@ -98,12 +100,8 @@ Background::Delivery PaperRunner::run(uint64_t number, const Experiment& experim
             emit tableChanged();
         });
     };
-    try {
-        (void)runExperiment(experiment, options, progressOf(number, stop), afterSetting, stage);
-        return [this] { end(); };
-    } catch (const std::exception& error) {
-        return [this, message = experimentFailure(error)] { fail(message); };
-    }
+    (void)runExperiment(experiment, options, progressOf(number, stop), afterSetting, stage);
+    return [this] { end(); };
 }
 
 void PaperRunner::post(uint64_t number, std::function<void()> work) {

@@ -150,6 +150,9 @@ public:
     /// The size of a view in the window in device pixels; also its picture's size if that is fitted to the window.
     [[nodiscard]] Viewport viewport(int view) const { return m_views[size_t(view)].viewport; }
     void setViewport(int view, const Viewport& size);
+    /// Sets the size of the pictures of views; none: they fit the window. Changes nothing and raises a warning where all views
+    /// would have more than kMostPixelsAskedFor together (view_sizes.h).
+    void setPictureSize(const std::vector<int>& views, const std::optional<Viewport>& size);
     [[nodiscard]] Viewport renderSize(int view) const { return setup(view).size.value_or(viewport(view)); }
     [[nodiscard]] const DrawStyle& drawStyle() const { return m_style; }
     void setDrawStyle(const DrawStyle& style);

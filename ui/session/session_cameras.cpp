@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "ui/session/view_sizes.h"
+
 namespace cullscope::ui {
 
 double Session::aspect(int view) const {
@@ -123,6 +125,16 @@ void Session::setFrozen(int view, bool frozen) {
     if (frozen && renderSize(view).width > 0) changed.cullingSize = renderSize(view);
     changed.role = frozen ? Role::Frozen : Role::Linked;
     changeSetup(view, changed);
+}
+
+void Session::setPictureSize(const std::vector<int>& views, const std::optional<Viewport>& size) {
+    std::vector<ViewSetup> setups;
+    for (int view = 0; view < kMostViews; ++view) setups.push_back(setup(view));
+    const uint64_t before = pixelsAskedFor(setups);
+    for (const int view : views) setups[size_t(view)].size = size;
+    // A session file may ask for more than the user: what makes it less is always possible.
+    if (const auto why = tooManyPixels(setups, std::max(before, kMostPixelsAskedFor))) return raise(Severity::Warning, *why);
+    for (const int view : views) setSetup(view, setups[size_t(view)]);
 }
 
 int Session::culledBy(int view) const { return setup(view).role == Role::Observer ? setup(view).observed : view; }

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/scene/hidden.h"
 #include "ui/session/session_json.h"
+#include "ui/session/view_sizes.h"
 
 namespace cullscope::ui {
 
@@ -18,6 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFormat = "cullscope session";
 constexpr int kVersion = 1;
 constexpr int kMostObjects = 100'000'000;
+constexpr size_t kMostValues = 100'000;
 constexpr uintmax_t kMostBytes = 64u << 20;  // a session has about 20 kB; a mesh with that file name is not read
 
 constexpr std::array kUpAxes{std::pair<const char*, UpAxis>{"y", UpAxis::Y}, std::pair<const char*, UpAxis>{"z", UpAxis::Z}};
@@ -29,11 +31,12 @@ bool isGeneratorsName(const std::string& file) {
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
-    return (std::filesystem::current_path() / file).lexically_normal().parent_path();
+    return std::filesystem::path(absoluteFile(file.string())).parent_path();
 }
 
 std::string relativeTo(const std::filesystem::path& folder, const std::string& file) {
-    const std::string relative = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).string();
+    const std::string relative = std::filesystem::path(absoluteFile(file)).lexically_relative(folder).string();
+    if (relative.empty()) return file;  // there is no way from one to the other: a working folder is gone
     // A file with the name of a generator must not be read as that generator.
     return isGeneratorsName(relative) ? "./" + relative : relative;
 }
@@ -55,8 +58,16 @@ Json jsonOfState(const SessionState& state, const std::string& scene) {
 }
 
 nlohmann::json parsed(std::string_view text, const std::string& file) {
+    size_t values = 0;
+    // The tree of a text's values takes twenty times its memory and more: that of a session has some thousand values.
+    const auto count = [&](int, nlohmann::json::parse_event_t, const nlohmann::json&) {
+        if (++values > kMostValues)
+            throwInput(QT_TRANSLATE_NOOP("core", "%1 is no session that can be read: it has more than %2 values."),
+                       {file, std::to_string(kMostValues)});
+        return true;
+    };
     try {
-        return nlohmann::json::parse(text);
+        return nlohmann::json::parse(text, count);
     } catch (const nlohmann::json::parse_error& failure) {
         throwInput(QT_TRANSLATE_NOOP("core", "%1 is no session that can be read: it is not JSON from byte %2 on."),
                    {file, std::to_string(failure.byte)});
@@ -89,7 +100,14 @@ std::vector<bool> readHidden(const JsonField& json) {
 
 void readViews(const JsonField& list, SessionState& state) {
     const size_t count = list.listSize(state.views.size());
-    for (size_t view = 0; view < count; ++view) state.views[view] = readView(list.at(view));
+    std::vector<ViewSetup> setups;
+    for (size_t view = 0; view < count; ++view) {
+        state.views[view] = readView(list.at(view));
+        setups.push_back(state.views[view].setup);
+    }
+    list.checked([&] {
+        if (const auto why = tooManyPixels(setups, kMostPixelsOfSession)) throwInput(why->text, why->arguments);
+    });
     for (size_t view = 0; view < count; ++view) {
         const ViewSetup& setup = state.views[view].setup;
         if (setup.role != Role::Observer) continue;

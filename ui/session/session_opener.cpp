@@ -23,7 +23,7 @@ bool isOneOf(const QString& suffix, const Types& types) {
 
 /// Throws Error(Input) if the picture holds no session or an invalid one.
 SessionState readPictureState(const std::filesystem::path& file) {
-    for (const auto& [name, text] : readPicture(file).metadata)
+    for (const auto& [name, text] : readPictureMetadata(file))
         if (name == kSessionMetadata)
             if (std::optional<SessionState> state = stateFromText(text, file)) return *state;
     throwInput(QT_TRANSLATE_NOOP("core", "%1 does not say what it shows: only pictures that Cullscope saved can be opened."),
@@ -45,7 +45,10 @@ SessionOpener::SessionOpener(Session& session, CameraBookmarks& bookmarks, QObje
         m_pending.reset();
     });
     // Does not cancel m_reading: a file being read now was opened after this scene.
-    connect(&loader, &SceneLoader::failed, this, [this] { m_pending.reset(); });
+    connect(&loader, &SceneLoader::failed, this, [this] {
+        m_pending.reset();
+        emit failed();
+    });
     connect(&loader, &SceneLoader::cancelled, this, [this] { m_pending.reset(); });
     // Slots run in the order of connection: the session was connected earlier and has shown the scene.
     connect(&loader, &SceneLoader::loaded, this, &SessionOpener::finish);
@@ -62,20 +65,20 @@ SessionOpener::Kind SessionOpener::kindOf(const QString& what) {
 void SessionOpener::open(const QString& what) {
     const Kind kind = kindOf(what);
     if (kind == Kind::Scene) return m_session.open(what);
-    read(what, kind);
+    read(QString::fromStdString(absoluteFile(what.toStdString())), kind);
 }
 
 void SessionOpener::read(const QString& file, Kind kind) {
-    m_reading.start([this, file, kind](const std::stop_token&) -> Background::Delivery {
-        Message failure;
-        try {
-            return [this, file, state = readStateOf(file.toStdString(), kind)] { restore(state, file); };
-        } catch (const Error& error) {
-            failure = error.message();
-        } catch (const std::exception& error) {
-            failure = {QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {file.toStdString(), error.what()}};
-        }
-        return [this, failure] { m_session.raise(Severity::Error, failure); };
+    const auto work = [this, file, kind](const std::stop_token&) -> Background::Delivery {
+        return [this, file, state = readStateOf(file.toStdString(), kind)] { restore(state, file); };
+    };
+    m_reading.start(work, [this, file](const std::exception& error) -> Background::Delivery {
+        Message failure{QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {file.toStdString(), error.what()}};
+        if (const auto* known = dynamic_cast<const Error*>(&error)) failure = known->message();
+        return [this, failure] {
+            m_session.raise(Severity::Error, failure);
+            emit failed();
+        };
     });
 }
 
@@ -94,7 +97,8 @@ void SessionOpener::finish() {
         m_bookmarks.setPlaces(pending->state.bookmarks);
         if (pending->state.style) m_session.setDrawStyle(*pending->state.style);
     }
-    emit opened(pending && !pending->origin.isEmpty() ? pending->origin : m_session.loader().specification());
+    emit opened(pending && !pending->origin.isEmpty() ? pending->origin
+                                                      : QString::fromStdString(m_session.opened()->specification));
     if (pending) emit restored(pending->state);
 }
 

@@ -38,6 +38,9 @@ signals:
     void opened(const QString& what);
     /// Emitted after `opened` if a state was applied: the window restores its arrangement.
     void restored(const cullscope::ui::SessionState& state);
+    /// What was to be opened could not be: its file could not be read, or the scene that it names. The sentence was reported
+    /// through Session::messageRaised.
+    void failed();
 
 private:
     struct Pending {

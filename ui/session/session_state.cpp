@@ -41,7 +41,7 @@ void applySetups(Session& session, const SessionState& state) {
 
 SessionState captureState(const Session& session) {
     SessionState state;
-    if (session.opened()) state.scene = withAbsoluteFiles(session.opened()->specification);
+    if (session.opened()) state.scene = session.opened()->specification;
     state.hidden = session.hidden();
     state.camera = session.camera();
     state.up = session.upAxis();
@@ -89,13 +89,6 @@ PictureSubject pictureSubject(const Session& session, int view, const std::optio
     subject.look = request ? request->look : session.setup(view).look;
     subject.style = request ? request->style : session.drawStyle();
     return subject;
-}
-
-std::string withAbsoluteFiles(const std::string& specification) {
-    // An empty specification must not become a folder's path.
-    if (specification.empty()) return {};
-    return withFiles(specification,
-                     [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal().string(); });
 }
 
 ParameterSet parametersOf(const SessionState::View& view) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/image/picture_metadata.h"
+#include "core/scene/absolute_files.h"
 #include "ui/session/camera_bookmarks.h"
 #include "ui/session/session.h"
 
@@ -48,9 +49,6 @@ void applyState(Session& session, const SessionState& state);
 
 /// What a view's picture shows, or would show; without figures. `request`: what is drawn; none: there is nothing to draw yet.
 [[nodiscard]] PictureSubject pictureSubject(const Session& session, int view, const std::optional<ViewRequest>& request);
-
-/// A specification with its files by absolute paths; words such as `bunny`, and an empty one, stay.
-[[nodiscard]] std::string withAbsoluteFiles(const std::string& specification);
 
 /// The view's parameters as a ParameterSet of its strategy. Throws Error(Usage) naming an unknown strategy or parameter.
 [[nodiscard]] ParameterSet parametersOf(const SessionState::View& view);

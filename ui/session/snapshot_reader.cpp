@@ -169,11 +169,15 @@ void SnapshotReader::start() {
 
 void SnapshotReader::startReading(const Request& request, const ViewFramePointer& frame, const Message& failure,
                                   const SnapshotReadingPointer& known) {
-    m_background.start([this, request, frame, failure, known](const std::stop_token& stop) {
+    const auto work = [this, request, frame, failure, known](const std::stop_token& stop) {
         SnapshotReadingPointer reading = readingOf(request, frame, failure, known);
         if (stop.stop_requested()) return Background::Delivery();
         return Background::Delivery(
             [this, request, reading = std::move(reading)]() mutable { take(request, std::move(reading)); });
+    };
+    m_background.start(work, [this, request](const std::exception& error) {
+        const Message why = sentenceOf(error, QT_TRANSLATE_NOOP("core", "What the strategy decided cannot be read: %1"));
+        return Background::Delivery([this, request, why] { take(request, readingOf(request, nullptr, why, nullptr)); });
     });
 }
 

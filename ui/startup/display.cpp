@@ -75,9 +75,9 @@ void setDefaultSurfaceFormat() {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
-std::unique_ptr<QApplication> makeApplication(int& argc, char** argv) {
+std::unique_ptr<Application> makeApplication(int& argc, char** argv) {
     const QtMessageHandler previous = qInstallMessageHandler(endWithSentence);
-    auto application = std::make_unique<QApplication>(argc, argv);
+    auto application = std::make_unique<Application>(argc, argv);
     qInstallMessageHandler(previous);
     return application;
 }

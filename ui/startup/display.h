@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QApplication>
 #include <memory>
 
 #include "core/base/error.h"
 #include "core/gpu/context.h"
+#include "ui/startup/application.h"
 
 namespace cullscope::ui {
 
@@ -19,7 +19,7 @@ void setDefaultSurfaceFormat();
 
 /// Makes the application. If the display cannot be reached, Qt would abort the process; this function ends it with a sentence on
 /// standard error and exit status 4 instead.
-[[nodiscard]] std::unique_ptr<QApplication> makeApplication(int& argc, char** argv);
+[[nodiscard]] std::unique_ptr<Application> makeApplication(int& argc, char** argv);
 
 /// Creates a context on an off-screen surface and returns its properties. Throws Error(OpenGl) if that fails.
 [[nodiscard]] GlInfo requireOpenGl();

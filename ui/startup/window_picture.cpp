@@ -8,16 +8,16 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kInterval = 50;     // ms between two checks
-constexpr int kSettleTime = 150;  // ms that the window gets to paint its last changes
+constexpr int kLookInterval = 50;  // ms between two checks
+constexpr int kSettleTime = 150;   // ms that the window gets to paint its last changes
 
 }  // namespace
 
 WindowPicture::WindowPicture(MainWindow& window, Session& session, QString file, QObject* parent)
     : QObject(parent), m_window(window), m_session(session), m_file(std::move(file)) {
-    m_poll.setInterval(kInterval);
+    m_poll.setInterval(kLookInterval);
     connect(&m_poll, &QTimer::timeout, this, &WindowPicture::look);
-    connect(&session.loader(), &SceneLoader::failed, this, [this] { m_failed = true; });
+    connect(&window.document().opener(), &SessionOpener::failed, this, [this] { m_failed = true; });
     m_poll.start();
 }
 

@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// Saves one picture of the window after the scene is opened and its metrics are known.
+/// Saves one picture of the window after the scene is opened and its metrics are known, or after it could not be opened.
 class WindowPicture : public QObject {
     Q_OBJECT
 
@@ -16,8 +16,8 @@ public:
     WindowPicture(MainWindow& window, Session& session, QString file, QObject* parent = nullptr);
 
 signals:
-    /// `status` is the program's exit status: 0 for success, 2 if the file cannot be written, 3 if the scene could not be opened,
-    /// 4 if its upload to OpenGL failed.
+    /// `status` is the program's exit status: 0 for success, 2 if the file cannot be written, 3 if the scene, session or
+    /// picture that was named could not be opened, 4 if the scene's upload to OpenGL failed.
     void done(int status);
 
 private:

@@ -21,7 +21,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kInterval = 100;  // ms between two refreshes
-constexpr int kSpacing = 6;
+constexpr int kPanelSpacing = 6;
 constexpr int kRowHeight = 22;
 
 std::vector<TimeBar::Entry> timesOf(const std::vector<RunFigures>& runs) {
@@ -86,7 +86,7 @@ StatisticsPanel::~StatisticsPanel() = default;
 
 void StatisticsPanel::setUpBars() {
     auto* second = new QWidget(this);
-    auto* line = new FlowLayout(second, kSpacing);
+    auto* line = new FlowLayout(second, kPanelSpacing);
     line->setContentsMargins(0, 0, 0, 0);
     m_tabs->setDrawBase(false);
     m_tabs->setExpanding(false);

@@ -82,9 +82,7 @@ void ViewCommands::copyPicture(int view, bool overlays) {
 void ViewCommands::askForSize(int view) {
     SizeDialog dialog(m_session.renderSize(view), m_window);
     if (dialog.exec() != QDialog::Accepted) return;
-    ViewSetup setup = m_session.setup(view);
-    setup.size = dialog.size();
-    m_session.setSetup(view, setup);
+    m_session.setPictureSize({view}, dialog.size());
 }
 
 void ViewCommands::fillMenu(QMenu& menu, int view) {

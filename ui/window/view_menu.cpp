@@ -1,5 +1,7 @@
 #include "ui/window/view_menu.h"
 
+#include <numeric>
+
 #include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -113,20 +115,22 @@ void ViewMenu::addComparisons() {
 void ViewMenu::addSizes(const std::function<void()>& askForSize) {
     QMenu* menu = m_menu.addMenu(tr("Picture size"));
     const std::optional<Viewport>& size = setup().size;
-    change(*menu, tr("Fits the window"), !size, [](ViewSetup& setup) { setup.size.reset(); });
+    const auto sizeAction = [&](const QString& text, const std::optional<Viewport>& wanted) {
+        option(*menu, text, size == wanted,
+               [session = &m_session, view = view(), wanted] { session->setPictureSize({view}, wanted); });
+    };
+    sizeAction(tr("Fits the window"), std::nullopt);
     bool usual = !size;
     for (const Viewport& one : kUsualSizes) {
         usual = usual || size == one;
-        change(*menu, pixelText(one), size == one, [one](ViewSetup& setup) { setup.size = one; });
+        sizeAction(pixelText(one), one);
     }
     option(*menu, usual ? tr("Other…") : tr("Other (%1)…").arg(pixelText(*size)), !usual, askForSize);
     menu->addSeparator();
     QObject::connect(menu->addAction(tr("The same in all views")), &QAction::triggered, menu, [session = &m_session, size] {
-        for (int view = 0; view < Session::kMostViews; ++view) {
-            ViewSetup changed = session->setup(view);
-            changed.size = size;
-            session->setSetup(view, changed);
-        }
+        std::vector<int> all(Session::kMostViews);
+        std::iota(all.begin(), all.end(), 0);
+        session->setPictureSize(all, size);
     });
 }
 

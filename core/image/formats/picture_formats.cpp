@@ -103,14 +103,32 @@ std::vector<Value> readColours(OIIO::ImageInput& input, OIIO::TypeDesc type, Val
     return colours;
 }
 
+void readPixels(OIIO::ImageInput& input, PictureFileContent& content) {
+    // Straight alpha is read without rounding loss; files of floats are linear and multiplied by alpha.
+    if (input.spec().format.is_floating_point())
+        content.linear = readColours<float>(input, OIIO::TypeDesc::FLOAT, 1.0F);
+    else
+        content.bytes = readColours<uint8_t>(input, OIIO::TypeDesc::UINT8, 255);
+    if (const int channel = input.spec().channelindex(kDepthChannel); channel >= 0)
+        content.depth = readChannels<float>(input, channel, channel, OIIO::TypeDesc::FLOAT);
+    if (const int channel = input.spec().channelindex(kTriangleChannel); channel >= 0)
+        content.triangle = readChannels<uint32_t>(input, channel, channel, OIIO::TypeDesc::UINT32);
+}
+
+/// The ending without its dot, by which OpenImageIO chooses the format. Given the name of a file it would open that file to
+/// choose.
+const char* endingOf(PictureFormat format) {
+    constexpr std::array kEndings{"png", "jpg", "tif", "exr"};
+    return kEndings[static_cast<size_t>(format)];
+}
+
 class OpenImageIoFormats final : public PictureFormats {
 public:
     [[nodiscard]] std::vector<unsigned char> encoded(PictureFormat format, const PictureFileContent& content) const override {
-        constexpr std::array kNames{"picture.png", "picture.jpg", "picture.tif", "picture.exr"};
         OIIO::ImageSpec spec = specificationOf(format, content);
         std::vector<std::byte> exr;
         if (format == PictureFormat::Exr) exr = exrPixels(content, spec);
-        const auto output = OIIO::ImageOutput::create(kNames[static_cast<size_t>(format)]);
+        const auto output = OIIO::ImageOutput::create(endingOf(format));
         if (!output) refuse(OIIO::geterror());
         return encodedInMemory(*output, spec, [&] {
             return format == PictureFormat::Exr ? output->write_image(OIIO::TypeDesc::UNKNOWN, exr.data())
@@ -118,27 +136,21 @@ public:
         });
     }
 
-    [[nodiscard]] PictureFileContent read(const std::string& path, std::string_view prefix, int mostPixels) const override {
-        OIIO::ImageSpec wishes;
-        wishes.attribute("oiio:UnassociatedAlpha", 1);
-        const auto input = OIIO::ImageInput::open(path, &wishes);
+    [[nodiscard]] PictureFileContent read(PictureFormat format, const std::string& path, std::string_view prefix, int mostPixels,
+                                          Part part) const override {
+        // Not by ImageInput::open(), which tries all of the library's readers in turn until one of them takes the file.
+        const auto input = OIIO::ImageInput::create(endingOf(format));
         if (!input) refuse(OIIO::geterror());
-        const OIIO::ImageSpec spec = input->spec();
+        OIIO::ImageSpec wishes, spec;
+        wishes.attribute("oiio:UnassociatedAlpha", 1);
+        if (!input->open(path, spec, wishes)) refuse(input->geterror());
         if (spec.width < 1 || spec.height < 1 || spec.width > mostPixels || spec.height > mostPixels || spec.depth > 1 ||
             spec.deep)
             throw PictureFormatFailure{PictureFormatFailure::Kind::Size, {}, 0, spec.width, spec.height};
         PictureFileContent content;
         content.width = spec.width;
         content.height = spec.height;
-        // Straight alpha is read without rounding loss; files of floats are linear and multiplied by alpha.
-        if (spec.format.is_floating_point())
-            content.linear = readColours<float>(*input, OIIO::TypeDesc::FLOAT, 1.0F);
-        else
-            content.bytes = readColours<uint8_t>(*input, OIIO::TypeDesc::UINT8, 255);
-        if (const int channel = spec.channelindex(kDepthChannel); channel >= 0)
-            content.depth = readChannels<float>(*input, channel, channel, OIIO::TypeDesc::FLOAT);
-        if (const int channel = spec.channelindex(kTriangleChannel); channel >= 0)
-            content.triangle = readChannels<uint32_t>(*input, channel, channel, OIIO::TypeDesc::UINT32);
+        if (part == Part::All) readPixels(*input, content);
         for (const auto& attribute : spec.extra_attribs)
             if (const std::string name = attribute.name().string(); name.starts_with(prefix))
                 content.texts.emplace_back(name, attribute.get_string());

@@ -47,9 +47,15 @@ public:
     /// others report no error. Throws PictureFormatFailure.
     [[nodiscard]] virtual std::vector<unsigned char> encoded(PictureFormat format, const PictureFileContent& content) const = 0;
 
-    /// Reads a file of any format that OpenImageIO supports, with the attributes whose names begin with `prefix`. Throws
-    /// PictureFormatFailure where it is no picture or has more than `mostPixels` on a side.
-    [[nodiscard]] virtual PictureFileContent read(const std::string& path, std::string_view prefix, int mostPixels) const = 0;
+    /// What is read of a file.
+    enum class Part {
+        Header,  ///< no pixels, and no memory for them: size, texts, description, resolution
+        All
+    };
+    /// Reads a file by the reader of that format alone, with the attributes whose names begin with `prefix`. Throws
+    /// PictureFormatFailure where it is no such picture or has more than `mostPixels` on a side.
+    [[nodiscard]] virtual PictureFileContent read(PictureFormat format, const std::string& path, std::string_view prefix,
+                                                  int mostPixels, Part part) const = 0;
 
 protected:
     ~PictureFormats() = default;

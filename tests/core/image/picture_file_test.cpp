@@ -267,11 +267,22 @@ TEST_F(PictureFile, exrKeepsDepthAndTriangles) {
 }
 
 TEST_F(PictureFile, lowestRowOfTheFileComesFirst) {
-    // A hand-written portable pixel map: rows from the top, a red one over a blue one.
-    std::ofstream(file("hand.ppm"), std::ios::binary)
-        << "P6 2 2 255\n"
-        << "\xff" << std::string(2, '\0') << "\xff" << std::string(4, '\0') << "\xff" << std::string(2, '\0') << "\xff";
-    const Picture picture = readPicture(file("hand.ppm"));
+    // A hand-written TIFF: rows from the top, a red one over a blue one. Little-endian; after the pixels, a directory of fields,
+    // each with its number, type (3: short, 4: long), count and value.
+    std::string bytes("II*\0\x14\0\0\0", 8);
+    for (const char* pixel : {"\xff\0\0", "\xff\0\0", "\0\0\xff", "\0\0\xff"}) bytes.append(pixel, 3);
+    const auto number = [&](uint32_t value, int size) {
+        for (int byte = 0; byte < size; ++byte) bytes.push_back(static_cast<char>(value >> 8 * byte));
+    };
+    const std::vector<std::array<uint32_t, 3>> fields{{256, 1, 2}, {257, 1, 2}, {258, 3, 134}, {259, 1, 1}, {262, 1, 2},
+                                                      {273, 1, 8}, {277, 1, 3}, {278, 1, 2},   {279, 1, 12}};
+    number(static_cast<uint32_t>(fields.size()), 2);
+    for (const auto& [tag, count, value] : fields)
+        number(tag, 2), number(tag == 258 ? 3 : 4, 2), number(count, 4), number(value, 4);
+    number(0, 4);
+    for (int channel = 0; channel < 3; ++channel) number(8, 2);  // bits of each, at byte 134
+    std::ofstream(file("hand.tif"), std::ios::binary) << bytes;
+    const Picture picture = readPicture(file("hand.tif"));
     ASSERT_EQ(picture.size, (Viewport{2, 2}));
     EXPECT_EQ(picture.rgba, (std::vector<uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 255, 0, 0, 255, 255, 0, 0, 255}));
 }

@@ -6,6 +6,7 @@
 
 #include "core/mesh/parametric.h"
 #include "core/scene/scene_source.h"
+#include "tests/support/peak_memory.h"
 #include "tests/support/refusal.h"
 #include "tests/support/test_scenes.h"
 
@@ -82,6 +83,37 @@ TEST(CameraPathFile, refusalNamesTheField) {
                 testing::HasSubstr("pose 0: The camera's eye and target"));
     EXPECT_THAT(refusal(R"({"near": 5, "far": 1, "poses": [)" + pose + "]}"), testing::HasSubstr("near distance"));
     EXPECT_THAT(refusal(R"({"fovy_deg": 180, "poses": [)" + pose + "]}"), testing::HasSubstr("field of view"));
+}
+
+TEST(CameraPathFile, takesMemoryForItsPosesAlone) {
+    const std::string pose = R"({"eye":[0,0,3],"target":[0,0,0],"up":[0,1,0]})";
+    std::string lists, numbers;
+    for (int i = 0; i < 2'000'000; ++i) lists += "[],", numbers += "1,";
+    const std::string ignored =
+        R"({"unknown":[)" + lists + R"([]],"poses":[{"also":[)" + lists + R"({}],)" + pose.substr(1) + "]}";
+    const std::string wrong = R"({"poses":[{"eye":[)" + numbers + R"(1],"target":[0,0,0],"up":[0,1,0]}]})";
+    EXPECT_EQ(refusal(ignored), "");
+    EXPECT_EQ(refusal(wrong), ": pose 0: \"eye\" must be three numbers.");
+    if (!test::kMemoryIsTheWorks) return;
+    for (const std::string* text : {&ignored, &wrong}) {
+        const TemporaryFile file(*text);
+        EXPECT_LT(test::peakBytesOf([&] { (void)readCameraPath(file.path()); }), size_t{8} << 20);
+    }
+}
+
+TEST(CameraPathFile, hasAMillionPosesAtMost) {
+    std::string text = R"({"poses":[)";
+    for (size_t pose = 0; pose < kMostPoses; ++pose) text += R"({"eye":[0,0,3],"target":[0,0,0],"up":[0,1,0]},)";
+    EXPECT_THAT(refusal(text + R"({"eye":[0,0,3],"target":[0,0,0],"up":[0,1,0]}]})"),
+                testing::HasSubstr("has more than 1000000 poses"));
+    text.back() = ']';
+    EXPECT_EQ(refusal(text + "}"), "");
+}
+
+TEST(CameraPathFile, theLastOfTwoFieldsOfANameCounts) {
+    const std::string pose = R"({"eye":[9],"eye":[0,0,3],"target":[0,0,0],"up":[0,1,0]})";
+    EXPECT_EQ(refusal(R"({"near":"wide","poses":7,"poses":[)" + pose + R"(],"near":0.1})"), "");
+    EXPECT_EQ(refusal(R"({"near":0.1,"poses":[)" + pose + R"(],"near":"wide"})"), ": \"near\" must be a number.");
 }
 
 TEST(CameraPath, unknownOrMalformedNameIsRefused) {

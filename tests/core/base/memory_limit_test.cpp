@@ -1,0 +1,24 @@
+#include "core/base/memory_limit.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+namespace cullscope {
+namespace {
+
+TEST(MemoryLimit, aLimitedAddressSpaceIsPlannedWith) {
+    const uint64_t before = memoryToPlanWith();
+    EXPECT_GT(before, uint64_t{64} << 20);
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &usual), 0);
+    rlimit limited = usual;
+    limited.rlim_cur = before / 2;
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limited), 0);
+    const uint64_t planned = memoryToPlanWith();
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &usual), 0);
+    EXPECT_EQ(planned, before / 2 / 4 * 3);
+    EXPECT_EQ(memoryToPlanWith(), before);
+}
+
+}  // namespace
+}  // namespace cullscope

@@ -1,0 +1,46 @@
+#include "tests/support/peak_memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+#include <string>
+
+namespace cullscope::test {
+namespace {
+
+/// A line of /proc/self/status that is in kB, in bytes.
+size_t ownStatus(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(name + ":")) return size_t{1024} * std::stoul(line.substr(name.size() + 1));
+    return 0;
+}
+
+}  // namespace
+
+size_t peakBytesOf(const std::function<void()>& work) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) return 0;
+    const pid_t child = fork();
+    if (child == 0) {
+        const size_t before = ownStatus("VmRSS");
+        try {
+            work();
+        } catch (...) {
+            // What it took until then counts.
+        }
+        const size_t taken = ownStatus("VmHWM") - before;
+        _exit(write(ends[1], &taken, sizeof taken) == sizeof taken ? 0 : 1);
+    }
+    close(ends[1]);
+    size_t taken = 0;
+    EXPECT_EQ(read(ends[0], &taken, sizeof taken), ssize_t{sizeof taken}) << "the child ended before it said its peak";
+    close(ends[0]);
+    waitpid(child, nullptr, 0);
+    return taken;
+}
+
+}  // namespace cullscope::test
