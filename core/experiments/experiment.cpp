@@ -144,7 +144,7 @@ ResultTable emptyTable(const Experiment& experiment) {
     table.source = experiment.source;
     table.notes = experiment.notes;
     table.columns = experiment.columns;
-    for (const RowPlot& described : experiment.plots) table.plots.push_back(described.plot);
+    for (const RowPlot& described : experiment.plots) table.plots.push_back(plotsOf(described, table).front());
     return table;
 }
 

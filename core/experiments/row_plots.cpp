@@ -63,9 +63,16 @@ void addPowers(LinePlot& plot, const std::vector<RowPlot::Power>& powers) {
     }
 }
 
+/// Puts values into the places %1, %2, … of the title.
+void fillTitle(LinePlot& plot, const Words& values) {
+    if (values.empty()) return;
+    plot.heading = {plot.title, values};
+    plot.title = plot.heading.english();
+}
+
 LinePlot plotOf(const RowPlot& described, const ResultTable& table, const Words& separate) {
     LinePlot plot = described.plot;
-    plot.title = fillIn(plot.title, separate);
+    fillTitle(plot, separate);
     for (const Words& group : differentWords(table, described.rows, described.lines)) {
         const ResultTable rows = rowsWith(described, table, separate, group);
         for (const RowPlot::Column& column : described.y) {
@@ -103,7 +110,10 @@ std::vector<LinePlot> plotsOf(const RowPlot& described, const ResultTable& table
     std::vector<LinePlot> plots;
     for (const Words& separate : differentWords(table, described.rows, described.separate))
         plots.push_back(plotOf(described, table, separate));
-    if (plots.empty()) plots.push_back(described.plot);
+    if (!plots.empty()) return plots;
+    // Which values there will be is not known before the first row.
+    plots.push_back(described.plot);
+    fillTitle(plots.back(), Words(described.separate.size(), "…"));
     return plots;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
+
 namespace cullscope {
 
 enum class PlotScale { Linear, Logarithmic };
@@ -99,7 +101,8 @@ struct LinePlot {
     std::vector<PlotReference> references;
     std::vector<PlotBars> bars;
     std::vector<PlotMark> marks;
-    double widest = 0.0;  ///< how many times its height it may be wide; 0: any
+    double widest = 0.0;   ///< how many times its height it may be wide; 0: any
+    Message heading = {};  ///< the title with its values apart, for who translates it; empty: the title has no values
 };
 
 /// A plot without lines, with two logarithmic axes.

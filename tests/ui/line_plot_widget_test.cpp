@@ -6,6 +6,7 @@
 
 #include "ui/look/appearance.h"
 #include "ui/plots/plot_file.h"
+#include "ui/text/language.h"
 
 namespace cullscope::ui::line_plot_widget_test {
 namespace {
@@ -97,6 +98,21 @@ TEST(LinePlotWidget, plotWithoutLinesOrLevelsCanBePainted) {
     plot.references.clear();
     widget.setPlot(plot);
     EXPECT_TRUE(plotSvg(widget, {300, 160}).contains("viewpoint"));
+}
+
+TEST(LinePlotWidget, titleIsTranslatedWithItsValues) {
+    Language language;
+    LinePlot plot;
+    plot.heading = {"Loss by threshold: %1", {"huldra"}};
+    plot.title = plot.heading.english();
+    LinePlotWidget widget;
+    widget.setPlot(plot);
+    EXPECT_EQ(widget.title(), QStringLiteral("Loss by threshold: huldra"));
+    language.use(QStringLiteral("ko"));
+    EXPECT_TRUE(widget.title().contains(QStringLiteral("huldra"))) << widget.title().toStdString();
+    EXPECT_FALSE(widget.title().contains(QStringLiteral("Loss"))) << widget.title().toStdString();
+    EXPECT_EQ(widget.plots(widget.palette()).front().title, widget.title().toStdString());
+    language.use(QStringLiteral("en"));
 }
 
 }  // namespace

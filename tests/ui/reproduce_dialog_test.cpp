@@ -144,6 +144,34 @@ TEST_F(Reproduce, plotIsShownOnlyWhereThereIsOne) {
     EXPECT_TRUE(dialog().table().isVisible()) << "the plot of another table stays in front";
 }
 
+TEST_F(Reproduce, everyPlotHasATabOfItsOwn) {
+    for (const Experiment& experiment : knownExperiments()) {
+        dialog().choice().setCurrentIndex(indexOf(experiment.id));
+        ASSERT_EQ(dialog().plots().size(), std::max<size_t>(1, experiment.plots.size())) << experiment.id;
+        ASSERT_EQ(dialog().pages().count(), int(dialog().plots().size()) + 1);
+        for (size_t i = 0; i < experiment.plots.size(); ++i) {
+            const LinePlotWidget& plot = *dialog().plots()[i];
+            EXPECT_EQ(plot.plot().y.title, experiment.plots[i].plot.y.title) << experiment.id;
+            EXPECT_FALSE(plot.title().contains(QLatin1Char('%'))) << "a place without a value: " << plot.title().toStdString();
+            const QString tab = dialog().pages().tabText(int(i) + 1);
+            EXPECT_EQ(tab, experiment.plots.size() == 1 ? QStringLiteral("Plot") : plot.title()) << experiment.id;
+        }
+    }
+    dialog().choice().setCurrentIndex(indexOf("plant-pipelines"));
+    ASSERT_EQ(dialog().plots().size(), 3u);
+    dialog().pages().setCurrentIndex(3);
+    EXPECT_TRUE(dialog().plots().back()->isVisible());
+    const QTemporaryDir folder;
+    const QString svg = folder.filePath(QStringLiteral("plot.svg"));
+    dialog().exportTo(ReproduceDialog::File::Svg, svg.toStdString());
+    ASSERT_TRUE(waitUntil([&] { return QFile::exists(svg); }));
+    QFile written(svg);
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(written.readAll().contains("Culling by visible leaves")) << "the plot in front is written";
+    dialog().choice().setCurrentIndex(0);
+    EXPECT_TRUE(dialog().table().isVisible());
+}
+
 TEST_F(Reproduce, plotShowsPointsBeforeTheEndAndCancelGivesTheSessionBack) {
     const SessionState before = captureState(session);
     dialog().choice().setCurrentIndex(indexOf("vfc-40-views"));

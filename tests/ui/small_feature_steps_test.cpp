@@ -80,6 +80,24 @@ TEST_F(SmallFeatureSteps, theOtherTwoMethodsStopAtWhatTheyLeaveOutToo) {
     }
 }
 
+TEST_F(SmallFeatureSteps, namesOfBothOctreesStandWhole) {
+    window.resize(1280, 800);
+    choose("small-feature");
+    StructureTree& tree = window.structurePanel().tree();
+    window.structurePanel().tabs().setCurrentWidget(&tree);
+    for (const char* id : {"en", "ko", "zh_CN"}) {
+        language.use(QString::fromLatin1(id));
+        settleAll();
+        ASSERT_TRUE(waitUntil([&] { return tree.model().rowCount() == 2; }));
+        for (int row = 0; row < 2; ++row) {
+            const QModelIndex octree = tree.model().index(row, StructureModel::Name);
+            EXPECT_GE(tree.view().visualRect(octree).width(), tree.view().sizeHintForIndex(octree).width())
+                << octree.data().toString().toStdString();
+        }
+    }
+    language.use(QStringLiteral("en"));
+}
+
 TEST_F(SmallFeatureSteps, outlineIsToldApartInTheObserverWithALegend) {
     choose("small-feature");
     session.setViewCount(2);

@@ -67,6 +67,28 @@ TEST(StructureModel, groupStandsForNoObjectAndHasAVerdict) {
     EXPECT_FALSE(model.instanceAt(model.index(0, 0))) << "a group stays one without rows below it";
 }
 
+TEST(StructureModel, planesAreNamedOnlyOfWhatTheFrustumRejected) {
+    const ScenePointer scene = openScene(kField).scene;
+    const auto words = [&](Cause cause) {
+        auto snapshot = groupedSnapshot();
+        for (SnapshotNode& node : snapshot->nodes) {
+            node.cause = cause;
+            node.rejectedBy.reset();
+        }
+        StructureModel model;
+        model.setSnapshot(scene, snapshot);
+        const QModelIndex culled = model.index(3, 0, model.index(0, 0));
+        const QString plane = culled.siblingAtColumn(StructureModel::Plane).data().toString();
+        EXPECT_EQ(model.namesPlanes(), !plane.isEmpty());
+        return plane;
+    };
+    EXPECT_EQ(words(Cause::OutsideFrustum), QStringLiteral("no single plane")) << "an axis parts it from the frustum";
+    for (const Cause cause : {Cause::Hidden, Cause::TooSmall, Cause::NoSample}) EXPECT_EQ(words(cause), QString());
+    StructureModel rejected;
+    rejected.setSnapshot(scene, groupedSnapshot());
+    EXPECT_TRUE(rejected.namesPlanes()) << "the top plane";
+}
+
 TEST(ObjectVerdicts, objectsHaveTheirOwnVerdictAndNotTheirGroups) {
     const ScenePointer scene = openScene(kField).scene;
     auto reading = std::make_shared<SnapshotReading>();

@@ -30,6 +30,15 @@ TEST_F(UndecidedLegend, isShownWhileStepping) {
     ASSERT_TRUE(
         waitUntil([&] { return session.step() && session.pictures()->isCurrent(0) && session.picture(0)->request.upTo; }));
     EXPECT_TRUE(shown());
+    settle();
+    // The counts are those of the whole frame: a 0 would say that all is decided at this step.
+    int counts = 0;
+    for (const QLabel* label : window.legend().findChildren<QLabel*>())
+        if (label->accessibleName() == QStringLiteral("not yet decided")) {
+            EXPECT_EQ(label->text(), QString());
+            ++counts;
+        }
+    EXPECT_EQ(counts, 1);
     window.actions().stepThrough->trigger();
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.picture(0)->request.upTo; }));
     EXPECT_FALSE(shown());

@@ -43,7 +43,7 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
       m_source(new QLabel(this)),
       m_notes(new QLabel(this)),
       m_table(new QTableView(this)),
-      m_plot(new LinePlotWidget(this)),
+      m_plots{new LinePlotWidget(this)},
       m_pages(new QTabWidget(this)),
       m_progress(new QProgressBar(this)),
       m_start(new QPushButton(tr("&Start"), this)),
@@ -84,7 +84,7 @@ void ReproduceDialog::chooseNewest() {
 
 void ReproduceDialog::makePages() {
     m_pages->addTab(m_table, tr("Table"));
-    m_pages->addTab(m_plot, tr("Plot"));
+    m_pages->addTab(m_plots.front(), tr("Plot"));
     m_pages->setDocumentMode(true);
 }
 
@@ -124,7 +124,7 @@ void ReproduceDialog::wire(Session& session) {
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(&m_runner, &PaperRunner::progressed, this, &ReproduceDialog::showProgress);
     connect(&m_runner, &PaperRunner::tableChanged, this, &ReproduceDialog::showTable);
-    connect(&m_runner, &PaperRunner::plotsChanged, this, [this] { showPlot(m_runner.table()); });
+    connect(&m_runner, &PaperRunner::plotsChanged, this, [this] { showPlots(m_runner.table()); });
     connect(&m_runner, &PaperRunner::ended, this, [this] {
         showTable();
         makeWay();
@@ -141,7 +141,7 @@ const Experiment& ReproduceDialog::chosen() const { return knownExperiments()[si
 void ReproduceDialog::start() {
     m_runner.start(chosen());
     // Table rows are added at the end of a setting, points of the plot after each view.
-    if (hasPlot()) m_pages->setCurrentWidget(m_plot);
+    if (hasPlot()) m_pages->setCurrentWidget(m_plots.front());
     showState();
     makeWay();
 }
@@ -201,23 +201,34 @@ void ReproduceDialog::makeRoom() {
 void ReproduceDialog::showChosen() {
     const ResultTable& newest = m_runner.table();
     m_model->setTable(newest.experiment == chosen().id ? newest : emptyTable(chosen()));
-    showPlot(m_model->table());
+    showPlots(m_model->table());
     showNotes();
     showState();
     makeRoom();
 }
 
-void ReproduceDialog::showPlot(const ResultTable& table) {
+void ReproduceDialog::showPlots(const ResultTable& table) {
+    const size_t count = std::max<size_t>(1, table.plots.size());
+    for (; m_plots.size() > count; m_plots.pop_back()) delete m_plots.back();
+    while (m_plots.size() < count) m_pages->addTab(m_plots.emplace_back(new LinePlotWidget(m_pages)), QString());
+    for (size_t i = 0; i < count; ++i) {
+        m_plots[i]->setPlot(hasPlot() ? table.plots[i] : LinePlot());
+        m_pages->setTabText(m_pages->indexOf(m_plots[i]), count == 1 ? tr("Plot") : m_plots[i]->title());
+    }
     m_pages->tabBar()->setVisible(hasPlot());
     if (!hasPlot()) m_pages->setCurrentWidget(m_table);
-    m_plot->setPlot(hasPlot() ? table.plots.front() : LinePlot());
     // The first lines make the legend higher.
     if (isVisible()) growTo(leastHeight(width()));
 }
 
+LinePlotWidget& ReproduceDialog::plotInFront() const {
+    auto* plot = qobject_cast<LinePlotWidget*>(m_pages->currentWidget());
+    return plot != nullptr ? *plot : *m_plots.front();
+}
+
 void ReproduceDialog::showTable() {
     m_model->setTable(m_runner.table());
-    showPlot(m_runner.table());
+    showPlots(m_runner.table());
     showNotes();
     if (m_runner.running()) m_table->scrollToBottom();
     showState();
@@ -276,7 +287,8 @@ void ReproduceDialog::exportTo(File file, const std::filesystem::path& path) {
     if (ofPlot(file)) {
         // Render the plot here: widgets are painted on the window's thread only.
         if (!hasPlot()) return;
-        const QByteArray bytes = file == File::Svg ? plotSvg(*m_plot, kPlotFile) : plotPdf(*m_plot, kPlotFile);
+        const LinePlotWidget& plot = plotInFront();
+        const QByteArray bytes = file == File::Svg ? plotSvg(plot, kPlotFile) : plotPdf(plot, kPlotFile);
         return m_exporter->write(path, [bytes] { return bytes; });
     }
     m_exporter->write(path, [table = m_model->table(), file] {

@@ -18,8 +18,8 @@
 namespace cullscope::ui {
 
 /// Reproduces a table of a paper: the window shows its settings while they are measured, and the dialog lists the measured
-/// numbers beside the paper's. The runner keeps the newest table, so that a dialog opened later shows it again. A table with a
-/// plot has it in a second tab, which is in front during the measurement.
+/// numbers beside the paper's. The runner keeps the newest table, so that a dialog opened later shows it again. A table with
+/// plots has a tab for each of them; the first one is in front during the measurement.
 class ReproduceDialog : public QDialog {
     Q_OBJECT
 
@@ -34,12 +34,16 @@ public:
     [[nodiscard]] QPushButton& exportButton() { return *m_export; }
     [[nodiscard]] QTableView& table() { return *m_table; }
     [[nodiscard]] QTabWidget& pages() { return *m_pages; }
-    [[nodiscard]] LinePlotWidget& plot() { return *m_plot; }
+    /// The first plot; the empty one where the table has none.
+    [[nodiscard]] LinePlotWidget& plot() { return *m_plots.front(); }
+    /// All plots of the shown table, each with a tab of its own; one at least.
+    [[nodiscard]] const std::vector<LinePlotWidget*>& plots() const { return m_plots; }
     /// The source of the paper's numbers; during a measurement, what the views show.
     [[nodiscard]] QString heading() const { return m_source->text(); }
     [[nodiscard]] QProgressBar& progressBar() { return *m_progress; }
     [[nodiscard]] const PaperTableModel& model() const { return *m_model; }
-    /// Writes the shown table in the background (SVG and PDF: its plot). Reports success or failure through the session.
+    /// Writes the shown table in the background (SVG and PDF: the plot in front, else the first one). Reports success or failure
+    /// through the session.
     void exportTo(File file, const std::filesystem::path& path);
 
     /// Closes the dialog and stops a running measurement.
@@ -58,7 +62,8 @@ private:
     void moveOnScreen(const QPoint& corner);
     void showChosen();
     void showTable();
-    void showPlot(const ResultTable& table);
+    void showPlots(const ResultTable& table);
+    [[nodiscard]] LinePlotWidget& plotInFront() const;
     [[nodiscard]] bool hasPlot() const { return !chosen().plots.empty(); }
     void showNotes();
     void makePages();
@@ -75,7 +80,7 @@ private:
     QLabel* m_source;
     QLabel* m_notes;
     QTableView* m_table;
-    LinePlotWidget* m_plot;
+    std::vector<LinePlotWidget*> m_plots;  ///< the pages after the table
     QTabWidget* m_pages;
     QProgressBar* m_progress;
     QPushButton *m_start, *m_cancel, *m_export, *m_close;

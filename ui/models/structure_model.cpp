@@ -22,6 +22,9 @@ bool sameBoxes(const StructureSnapshot& a, const StructureSnapshot& b) {
                       });
 }
 
+/// A group that the planes and axes of the frustum rejected, not its size or what lies before it.
+bool rejectedByFrustum(const SnapshotNode& node) { return node.isGroup() && node.culled && node.cause == Cause::OutsideFrustum; }
+
 TriangleState stateOf(const SnapshotNode& node) { return node.culled ? stateOfCause(node.cause) : TriangleState::Visible; }
 
 }  // namespace
@@ -73,6 +76,12 @@ void StructureModel::layOut() {
 
 bool StructureModel::holdsOthers(size_t node) const {
     return m_snapshot->nodes[node].isGroup() || childCount(place(int64_t(node))) > 0;
+}
+
+bool StructureModel::namesPlanes() const {
+    return m_snapshot && std::ranges::any_of(m_snapshot->nodes, [](const SnapshotNode& node) {
+               return node.rejectedBy.has_value() || rejectedByFrustum(node);
+           });
 }
 
 QModelIndex StructureModel::indexOfNode(size_t node) const { return createIndex(int(m_rowOfNode[node]), 0, quintptr(node)); }
@@ -141,7 +150,7 @@ QString StructureModel::text(const SnapshotNode& node, size_t number, int column
             return holdsOthers(number) ? tr("kept", "a box that holds others") : tr("submitted");
         case Plane:
             if (node.rejectedBy) return translated(planeName(*node.rejectedBy));
-            return node.isGroup() && node.culled ? tr("no single plane", "has a group outside") : QString();
+            return rejectedByFrustum(node) ? tr("no single plane", "has a group outside") : QString();
         default:
             return {};
     }

@@ -29,6 +29,8 @@ public:
 
     /// Whether any box has child boxes.
     [[nodiscard]] bool nested() const { return !empty() && size_t(rowCount()) < m_snapshot->nodes.size(); }
+    /// Whether any box has words in the column of planes.
+    [[nodiscard]] bool namesPlanes() const;
 
     /// The node of a row, as an index into StructureSnapshot::nodes.
     [[nodiscard]] size_t nodeOf(const QModelIndex& index) const { return size_t(index.internalId()); }

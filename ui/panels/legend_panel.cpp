@@ -172,6 +172,8 @@ void LegendPanel::wire() {
         connect(&m_session, signal, this, &LegendPanel::showContrast);
         connect(&m_session, signal, this, &LegendPanel::showUndecided);
     }
+    // The lecture's window keeps its legend while a question is open, and counts would answer it.
+    connect(&m_session, &Session::questionChanged, this, &LegendPanel::showCounts);
     connect(&m_session, &Session::pickChanged, this, [this] {
         if (m_session.pick()) advance(Progress::Choose);
     });
@@ -259,12 +261,14 @@ void LegendPanel::showUndecided() {
 
 void LegendPanel::showCounts() {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
-    const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
+    const bool counted = figures.state == ViewMetrics::State::Ready && figures.states && !m_session.question();
     for (size_t state = 0; state < kTriangleStateCount; ++state) {
         const QString word = translated(triangleStateName(TriangleState(state)));
+        // The counts are those of the whole frame, in which nothing is left undecided.
+        const bool decided = TriangleState(state) != TriangleState::Undecided, known = counted && decided;
         const uint64_t count = known ? figures.states->counts[state] : 0;
         m_words[state]->setText(word);
-        m_counts[state]->setText(known ? shortCount(count) : QStringLiteral("…"));
+        m_counts[state]->setText(known ? shortCount(count) : decided ? QStringLiteral("…") : QString());
         const QString full =
             known ? tr("%1: %2 triangles in the active view", "a state of triangles").arg(word, countText(count)) : word;
         m_words[state]->setToolTip(full);

@@ -47,6 +47,7 @@ Outliner::Outliner(Session& session, QWidget* parent)
     });
     connect(&session, &Session::pickChanged, this, &Outliner::followPick);
     connect(&session, &Session::activeViewChanged, this, &Outliner::refreshVerdicts);
+    connect(&session, &Session::questionChanged, this, &Outliner::refreshVerdicts);
     connect(&session, &Session::metricsChanged, this, [this](int view) {
         if (m_session.culledBy(m_session.activeView()) == view) refreshVerdicts();
     });
@@ -93,6 +94,8 @@ void Outliner::refreshVerdicts() {
     // Verdicts of a scene that is not shown any more number its objects differently.
     if (!m_session.opened() || m_model->scene() != m_session.opened()->scene) return;
     const ScenePointer& shown = m_session.scene();
+    // Verdicts would answer an open question.
+    if (m_session.question()) return m_model->setVerdicts(shown, nullptr, nullptr);
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == shown;

@@ -37,6 +37,8 @@ QuestionBar::QuestionBar(Session& session, QuestionFirst& questions, QWidget* pa
     leaveWheelUnlessFocused(*m_question);
     leaveWheelUnlessFocused(*m_place);
     m_words->setWordWrap(true);
+    // Room for two lines, so that the views keep their size from question to question.
+    m_words->setMinimumHeight(2 * lineHeight(m_words->fontMetrics()));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
     row->addWidget(m_question);
@@ -73,10 +75,22 @@ int QuestionBar::entryOf(Prediction::Question question, Prediction::Items of) {
     return int(found - kEntries.begin());
 }
 
-QString QuestionBar::words() const {
-    const Prediction& question = *m_session.question();
+QString QuestionBar::askedText(const Prediction& question) {
+    switch (question.question) {
+        case Prediction::Question::Vanish:
+            return question.of == Prediction::Items::Triangles ? tr("Which triangles vanish?") : tr("Which objects vanish?");
+        case Prediction::Question::Order:
+            return tr("In which order is it drawn?");
+        case Prediction::Question::Place:
+            return tr("In which leaf does it lie?");
+    }
+    return {};
+}
+
+QString QuestionBar::words(const Session& session) {
+    const Prediction& question = *session.question();
     const QString named = countText(question.items.size());
-    const NamedParts* parts = m_session.questionParts().get();
+    const NamedParts* parts = session.questionParts().get();
     if (question.question == Prediction::Question::Vanish)
         return tr("Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1")
             .arg(named);
@@ -113,9 +127,10 @@ void QuestionBar::refreshPlaces() {
 }
 
 void QuestionBar::retranslate() {
-    const QStringList texts{tr("Which objects vanish?"), tr("Which triangles vanish?"), tr("In which order is it drawn?"),
-                            tr("In which leaf does it lie?")};
-    for (int entry = 0; entry < int(texts.size()); ++entry) m_question->setItemText(entry, texts[entry]);
+    for (int entry = 0; entry < m_question->count(); ++entry) {
+        const Entry& asked = kEntries[size_t(entry)];
+        m_question->setItemText(entry, askedText({asked.question, asked.of.value_or(Prediction::Items::Objects)}));
+    }
     m_question->setAccessibleName(tr("Question"));
     m_place->setAccessibleName(tr("Leaf"));
     m_reveal->setText(tr("Reveal"));

@@ -21,8 +21,11 @@ public:
     [[nodiscard]] static int entryOf(Prediction::Question question, Prediction::Items of);
     /// The places of a question about them, after an entry without a place.
     [[nodiscard]] QComboBox& place() { return *m_place; }
-    /// What is to be done; only while a question is open.
-    [[nodiscard]] QString words() const;
+    /// What is asked: "Which objects vanish?", in the user's language.
+    [[nodiscard]] static QString askedText(const Prediction& question);
+    /// What is to be done; only while the session has a question.
+    [[nodiscard]] static QString words(const Session& session);
+    [[nodiscard]] QString words() const { return words(m_session); }
     [[nodiscard]] QPushButton& revealButton() { return *m_reveal; }
 
 protected:

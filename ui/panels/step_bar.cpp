@@ -82,7 +82,7 @@ void StepBar::layOut() {
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     // Two lines, so that the views keep their size from step to step.
-    m_sentence->setFixedHeight(2 * m_sentence->fontMetrics().lineSpacing() + 2);
+    m_sentence->setFixedHeight(2 * lineHeight(m_sentence->fontMetrics()) + 2);
     m_sentence->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);

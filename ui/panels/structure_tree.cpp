@@ -38,7 +38,10 @@ StructureTree::StructureTree(Session& session, SnapshotReader& reader, QWidget* 
     connect(&session, &Session::pickChanged, this, &StructureTree::followPick);
     connect(&session, &Session::stepChanged, this, &StructureTree::followPick);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &StructureTree::pickSelected);
-    connect(m_model, &StructureModel::modelReset, m_view, [this] { m_view->expandFirstLevels(kFirstRows); });
+    connect(m_model, &StructureModel::modelReset, m_view, [this] {
+        m_namesPlanes = false;
+        m_view->expandFirstLevels(kFirstRows);
+    });
     retranslate();
     refresh();
 }
@@ -61,6 +64,9 @@ void StructureTree::refresh() {
     // counts.
     m_view->setRootIsDecorated(m_model->nested());
     m_view->setColumnHidden(StructureModel::Triangles, m_model->nested());
+    // So do they need that of planes, until one has rejected something; then it stays, so that no step moves the columns back.
+    m_namesPlanes = m_namesPlanes || m_model->namesPlanes();
+    m_view->setColumnHidden(StructureModel::Plane, m_model->nested() && !m_namesPlanes);
     m_view->setVisible(!m_model->empty());
     // The Tab key cannot leave a panel whose focus proxy is hidden.
     setFocusProxy(m_model->empty() ? nullptr : m_view);

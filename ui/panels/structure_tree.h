@@ -38,6 +38,7 @@ private:
     StructureModel* m_model;
     LongListView* m_view;
     QLabel* m_empty;
+    bool m_namesPlanes = false;  ///< a plane rejected a box since the tree was made anew
     bool m_following = false;
 };
 

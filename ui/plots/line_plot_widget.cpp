@@ -13,7 +13,7 @@ void LinePlotWidget::setPlot(const LinePlot& plot) {
     contentsChanged();
 }
 
-QString LinePlotWidget::title() const { return translated(m_plot.title); }
+QString LinePlotWidget::title() const { return m_plot.heading.empty() ? translated(m_plot.title) : translated(m_plot.heading); }
 
 QString LinePlotWidget::description() const {
     QStringList lines;
@@ -30,7 +30,8 @@ QString LinePlotWidget::description() const {
 std::vector<LinePlot> LinePlotWidget::plots(const QPalette& /*palette*/) const {
     LinePlot plot = m_plot;
     const auto translate = [](std::string& text) { text = translated(text).toStdString(); };
-    for (std::string* text : {&plot.title, &plot.x.title, &plot.y.title}) translate(*text);
+    plot.title = title().toStdString();
+    for (std::string* text : {&plot.x.title, &plot.y.title}) translate(*text);
     for (PlotLine& line : plot.lines) translate(line.name);
     for (PlotReference& reference : plot.references) translate(reference.name);
     return {std::move(plot)};

@@ -77,4 +77,6 @@ QString millisecondsText(double milliseconds) {
 
 QString bytesText(uint64_t bytes) { return QLocale().formattedDataSize(qint64(bytes), 1, QLocale::DataSizeSIFormat); }
 
+int lineHeight(const QFontMetrics& metrics) { return metrics.size(Qt::TextSingleLine, QStringLiteral("한中Åg")).height(); }
+
 }  // namespace cullscope::ui

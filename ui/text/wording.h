@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QFontMetrics>
 #include <QString>
 
 #include "core/measure/statistics.h"
@@ -31,5 +32,9 @@ namespace cullscope::ui {
 [[nodiscard]] QString countText(uint64_t count);
 [[nodiscard]] QString millisecondsText(double milliseconds);
 [[nodiscard]] QString bytesText(uint64_t bytes);
+
+/// The height of a line in whichever of the window's languages, pixels: Korean and Chinese letters may come from a font that is
+/// higher than the given one.
+[[nodiscard]] int lineHeight(const QFontMetrics& metrics);
 
 }  // namespace cullscope::ui

@@ -9,6 +9,7 @@
 
 #include "core/visibility/registry.h"
 #include "ui/look/appearance.h"
+#include "ui/panels/question_bar.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -167,9 +168,12 @@ void LectureWindow::refresh() {
     const QString scene = m_session.opened() ? QString::fromStdString(m_session.opened()->scene->name()) : QString();
     m_title->setText(tr("%1 – %2", "strategy, scene").arg(m_pane->header().firstLine(), scene));
     const bool stepped = m_stepper && m_stepper->place() && m_session.stepOf(view) != nullptr;
-    m_explanation->setText(stepped ? m_stepper->sentence() : translated(info.description));
+    const std::optional<Prediction>& question = m_session.question();
+    m_explanation->setText(question  ? QuestionBar::askedText(*question) + QStringLiteral("\n\n") + QuestionBar::words(m_session)
+                           : stepped ? m_stepper->sentence()
+                                     : translated(info.description));
     const ViewMetrics& figures = m_session.figures(view);
-    const bool ready = figures.state == ViewMetrics::State::Ready && !m_session.question();
+    const bool ready = figures.state == ViewMetrics::State::Ready && !question;
     const QString none = QStringLiteral("…");
     m_numbers[0]->setText(tr("Speed: %1").arg(ready && figures.speedup ? speedText(*figures.speedup) : none));
     m_numbers[1]->setText(tr("Submitted: %1").arg(ready ? percentText(figures.submittedShare()) + QStringLiteral(" %") : none));

@@ -15,6 +15,7 @@
 #include "ui/dialogs/help_window.h"
 #include "ui/dialogs/keys_dialog.h"
 #include "ui/look/tinted_icon.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
@@ -261,7 +262,7 @@ void MainWindow::showState() {
 
 /// The height is the same in all languages, so that a change of language keeps the size of the views.
 void MainWindow::fixBarHeights() {
-    const int letters = QFontMetrics(font()).size(Qt::TextSingleLine, QStringLiteral("한中Åg")).height();
+    const int letters = lineHeight(fontMetrics());
     menuBar()->setFixedHeight(letters + kMenuMargins);
     m_toolBar->setFixedHeight(letters + kToolBarMargins);
 }

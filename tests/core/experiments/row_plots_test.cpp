@@ -61,6 +61,10 @@ TEST(RowPlots, separatePlotsTakeTheirValuesIntoTheTitle) {
     ASSERT_EQ(plots.size(), 2u);
     EXPECT_EQ(plots[0].title, "Time of a ball");
     EXPECT_EQ(plots[1].title, "Time of a cube");
+    EXPECT_EQ(plots[1].heading.text, "Time of a %1");
+    ResultTable none = table();
+    none.rows.clear();
+    EXPECT_EQ(plotsOf(plot, none).front().title, "Time of a …") << "before the first row";
     ASSERT_EQ(plots[1].lines.size(), 1u) << "a method that the cube has not is no line";
     EXPECT_EQ(plots[1].lines[0].points[0].y, 7.0);
 }

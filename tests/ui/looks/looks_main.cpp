@@ -27,6 +27,7 @@ constexpr const char* kFonts = R"(<?xml version="1.0"?>
   </match>
   <alias binding="strong"><family>Sans Serif</family><prefer><family>DejaVu Sans</family><family>Noto Sans CJK KR</family></prefer></alias>
   <alias binding="strong"><family>sans-serif</family><prefer><family>DejaVu Sans</family><family>Noto Sans CJK KR</family></prefer></alias>
+  <alias binding="strong"><family>monospace</family><prefer><family>DejaVu Sans Mono</family><family>Noto Sans Mono CJK KR</family></prefer></alias>
 </fontconfig>
 )";
 
