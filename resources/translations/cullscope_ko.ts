@@ -4687,6 +4687,74 @@
         <source>go on with the child drawn last</source>
         <translation>나중에 그릴 자식으로 간다</translation>
     </message>
+    <message>
+        <source>The system gives no thread for this: %1. Close other programs and try again.</source>
+        <translation>시스템이 이 작업에 쓸 스레드를 만들지 못했습니다: %1. 다른 프로그램을 닫고 다시 시도하세요.</translation>
+    </message>
+    <message>
+        <source>The system gives no thread for OpenGL. Close other programs, or allow this one more memory and threads (ulimit).</source>
+        <translation>시스템이 OpenGL에 쓸 스레드를 만들지 못했습니다. 다른 프로그램을 닫거나 이 프로그램에 메모리와 스레드를 더 허용하세요(ulimit).</translation>
+    </message>
+    <message>
+        <source>%1 is no session that can be read: it has more than %2 values.</source>
+        <translation>%1은(는) 읽을 수 있는 세션이 아닙니다. 값이 %2개보다 많습니다.</translation>
+    </message>
+    <message>
+        <source>What the strategy decided cannot be read: %1</source>
+        <translation>전략이 내린 결정을 읽을 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>The views&apos; pictures would have %1 million pixels together, and at most %2 million are possible: choose smaller sizes.</source>
+        <translation>뷰의 그림이 모두 합쳐 %1백만 픽셀이 되지만 최대 %2백만 픽셀까지 가능합니다. 더 작은 크기를 고르세요.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>메모리가 부족합니다.</translation>
+    </message>
+    <message>
+        <source>The reason is not known.</source>
+        <translation>이유는 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>This failed, and Cullscope goes on: %1 The session is kept in a file that the next start offers.</source>
+        <translation>작업이 실패했지만 Cullscope는 계속 실행됩니다: %1 세션은 파일에 보존되며 다음에 시작할 때 열 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>This failed, and Cullscope goes on: %1 Save what you need.</source>
+        <translation>작업이 실패했지만 Cullscope는 계속 실행됩니다: %1 필요한 것을 저장하세요.</translation>
+    </message>
+    <message>
+        <source>Something failed when Cullscope last ran. The session was kept as it was then.</source>
+        <translation>Cullscope를 지난번에 실행했을 때 오류가 있었습니다. 당시의 세션이 보존되어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>열기</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read: a progressive JPEG of %2x%3 pixels takes memory for all of them before the first is known. Save it without progressive coding.</source>
+        <translation>%1 파일은 읽을 수 있는 그림이 아닙니다: %2x%3 픽셀의 프로그레시브 JPEG는 첫 픽셀을 알기 전에 모든 픽셀의 메모리가 필요합니다. 프로그레시브가 아닌 방식으로 저장하세요.</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read: its name ends neither in .png, .jpg, .tif nor .exr.</source>
+        <translation>%1 파일은 읽을 수 있는 그림이 아닙니다: 이름이 .png, .jpg, .tif, .exr 중 어느 것으로도 끝나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read: its name says %2, and it does not begin as such a file does. Give it the ending of what it is.</source>
+        <translation>%1 파일은 읽을 수 있는 그림이 아닙니다: 이름은 %2 형식이지만 내용이 그 형식으로 시작하지 않습니다. 실제 형식에 맞는 확장자를 붙이세요.</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 poses. Divide the path into several files.</source>
+        <translation>%1 파일에 자세가 %2개보다 많습니다. 경로를 여러 파일로 나누세요.</translation>
+    </message>
+    <message>
+        <source>%1: a scene of this size needs about %2 MB of memory, more than the %3 MB allowed. Ask for fewer triangles or objects.</source>
+        <translation>%1: 이 크기의 장면에는 허용된 %3 MB보다 많은 약 %2 MB의 메모리가 필요합니다. 삼각형이나 물체의 수를 줄이세요.</translation>
+    </message>
+    <message>
+        <source>More than %1 generators stand one inside another. Write the inner scene to a mesh file with cullbench export, and name that file.</source>
+        <translation>생성기가 %1개보다 많이 겹쳐 있습니다. 안쪽 장면을 cullbench export로 메시 파일에 저장하고 그 파일을 지정하세요.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

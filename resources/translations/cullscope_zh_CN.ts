@@ -4687,6 +4687,74 @@
         <source>go on with the child drawn last</source>
         <translation>走后绘制的子节点</translation>
     </message>
+    <message>
+        <source>The system gives no thread for this: %1. Close other programs and try again.</source>
+        <translation>系统无法为此创建线程：%1。请关闭其他程序后重试。</translation>
+    </message>
+    <message>
+        <source>The system gives no thread for OpenGL. Close other programs, or allow this one more memory and threads (ulimit).</source>
+        <translation>系统无法为 OpenGL 创建线程。请关闭其他程序，或允许本程序使用更多内存和线程（ulimit）。</translation>
+    </message>
+    <message>
+        <source>%1 is no session that can be read: it has more than %2 values.</source>
+        <translation>%1 不是可读取的会话：其中的值超过 %2 个。</translation>
+    </message>
+    <message>
+        <source>What the strategy decided cannot be read: %1</source>
+        <translation>无法读取策略所作的判定：%1</translation>
+    </message>
+    <message>
+        <source>The views&apos; pictures would have %1 million pixels together, and at most %2 million are possible: choose smaller sizes.</source>
+        <translation>各视图的图像合计将有 %1 百万像素，而最多允许 %2 百万像素：请选择较小的尺寸。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>内存不足。</translation>
+    </message>
+    <message>
+        <source>The reason is not known.</source>
+        <translation>原因未知。</translation>
+    </message>
+    <message>
+        <source>This failed, and Cullscope goes on: %1 The session is kept in a file that the next start offers.</source>
+        <translation>操作失败，但 Cullscope 会继续运行：%1 会话已保存在文件中，下次启动时可以打开。</translation>
+    </message>
+    <message>
+        <source>This failed, and Cullscope goes on: %1 Save what you need.</source>
+        <translation>操作失败，但 Cullscope 会继续运行：%1 请保存所需内容。</translation>
+    </message>
+    <message>
+        <source>Something failed when Cullscope last ran. The session was kept as it was then.</source>
+        <translation>Cullscope 上次运行时发生了故障。当时的会话已保留。</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read: a progressive JPEG of %2x%3 pixels takes memory for all of them before the first is known. Save it without progressive coding.</source>
+        <translation>%1 不是可读取的图像：%2x%3 像素的渐进式 JPEG 在得到第一个像素之前就需要容纳全部像素的内存。请以非渐进方式保存。</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read: its name ends neither in .png, .jpg, .tif nor .exr.</source>
+        <translation>%1 不是可读取的图像：其名称不以 .png、.jpg、.tif 或 .exr 结尾。</translation>
+    </message>
+    <message>
+        <source>%1 is no picture that can be read: its name says %2, and it does not begin as such a file does. Give it the ending of what it is.</source>
+        <translation>%1 不是可读取的图像：其名称表示 %2 格式，但内容并非以该格式开头。请使用与实际格式相符的扩展名。</translation>
+    </message>
+    <message>
+        <source>%1 has more than %2 poses. Divide the path into several files.</source>
+        <translation>%1 中的姿态超过 %2 个。请将路径拆分为多个文件。</translation>
+    </message>
+    <message>
+        <source>%1: a scene of this size needs about %2 MB of memory, more than the %3 MB allowed. Ask for fewer triangles or objects.</source>
+        <translation>%1：这种大小的场景约需 %2 MB 内存，超过允许的 %3 MB。请减少三角形或物体的数量。</translation>
+    </message>
+    <message>
+        <source>More than %1 generators stand one inside another. Write the inner scene to a mesh file with cullbench export, and name that file.</source>
+        <translation>嵌套的生成器超过 %1 个。请用 cullbench export 将内层场景写入网格文件，并指定该文件。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
