@@ -7,6 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/last_words.h"
+#include "core/base/standard_streams.h"
+#include "core/base/terminal_text.h"
 #include "core/scene/absolute_files.h"
 #include "core/scene/camera.h"
 #include "core/visibility/strategy_request.h"
@@ -59,7 +61,6 @@ CommandLine parse(int argc, char** argv) {
     parser
         .add_option("-s,--strategy", strategies,
                     "The strategies of the views, A,B:key=value,…: as many as 8 (cullbench list strategies)")
-        ->delimiter(',')
         ->allow_extra_args(false);
     parser
         .add_option("--models", line.modelFolders, "A folder in which models such as the bunny are looked for; may be repeated")
@@ -100,7 +101,7 @@ int show(ui::Application& application, const CommandLine& line) {
     options.sceneSource.modelFolders = line.modelFolders;
     ui::Session session(options);
     QObject::connect(&session, &ui::Session::messageRaised, [](ui::Severity severity, const Message& message) {
-        if (severity == ui::Severity::Error) std::fprintf(stderr, "cullscope: %s\n", message.english().c_str());
+        if (severity == ui::Severity::Error) std::fprintf(stderr, "cullscope: %s\n", terminalText(message.english()).c_str());
     });
     ui::showFirstViews(session, line.strategies);
 
@@ -132,6 +133,7 @@ int show(ui::Application& application, const CommandLine& line) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    keepStandardStreams();
     endWithSentenceOnTerminate();
     try {
         const CommandLine line = parse(argc, argv);
@@ -147,16 +149,16 @@ int main(int argc, char** argv) {
             static_cast<void>(ui::requireOpenGl());
             return show(*application, line);
         } catch (const Error& error) {
-            std::fprintf(stderr, "cullscope: %s\n", error.what());
+            std::fprintf(stderr, "cullscope: %s\n", terminalText(error.what()).c_str());
             ui::showWithoutTerminal(error);
             return int(error.kind());
         }
     } catch (const Error& error) {
-        std::fprintf(stderr, "cullscope: %s\n", error.what());
+        std::fprintf(stderr, "cullscope: %s\n", terminalText(error.what()).c_str());
         return int(error.kind());
     } catch (const std::exception& error) {
         std::fprintf(stderr, "cullscope: It cannot be started: %s. Close other programs, or allow it more memory (ulimit -v).\n",
-                     error.what());
+                     terminalText(error.what()).c_str());
         return int(ErrorKind::Input);
     }
 }

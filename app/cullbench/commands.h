@@ -44,6 +44,13 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 /// Opens a scene with a progress bar, without its hidden objects; prints the loader's repairs of the file on standard error.
 [[nodiscard]] OpenedScene openSceneForCommand(const SceneChoice& choice, const Context& context);
 
+/// Checks of options: a finite number above 0; one of [least, most]; a whole number from 0.
+[[nodiscard]] CLI::Validator positiveNumber();
+[[nodiscard]] CLI::Validator numberBetween(double least, double most);
+[[nodiscard]] CLI::Validator countFromZero();
+/// Options of a program and its commands that take a value refuse an empty one, which would else pass for none at all.
+void refuseEmptyValues(CLI::App& app);
+
 /// "640x480". Throws Error(Usage).
 [[nodiscard]] Viewport sizeFromText(const std::string& text, const std::string& option = "--size");
 /// "x,y,z". Throws Error(Usage) naming the option.
@@ -76,8 +83,12 @@ void addStrategyOptions(CLI::App& command, std::vector<std::string>& strategies,
 /// Throws Error(OpenGl) with one sentence where this OpenGL does not meet a strategy's requirement.
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);
 
-/// Checks that files can be written, before the work instead of after it; empty paths and "-" pass. Throws Error(Usage).
+/// Checks that files can be written (requireWritable), before the work instead of after it; empty paths pass. Throws
+/// Error(Usage).
 void checkOutputPlaces(const std::vector<std::string>& paths);
+
+/// Throws Error(Interrupted): a measurement was stopped before it had anything that could be written in place of an older result.
+[[noreturn]] void throwNothingMeasured();
 
 /// Writes text to a file, completely or not at all; "-" is standard output.
 void writeText(const std::string& path, const std::string& text);

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <iostream>
+#include <set>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/scene/camera.h"
@@ -19,10 +18,15 @@ namespace {
 
 constexpr int kBarWidth = 30;
 
+/// As it stands, with carriage returns. What the terminal does not take is lost.
+void putOnTerminal(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
+}
+
 void drawBar(double share, std::string_view stage) {
     const int filled = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kBarWidth));
-    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} % {:<24.24}", "", filled, "", kBarWidth - filled, share * 100, stage);
-    std::fflush(stderr);
+    putOnTerminal(fmt::format("\r[{:#<{}}{:.<{}}] {:3.0f} % {:<24.24}", "", filled, "", kBarWidth - filled, share * 100, stage));
 }
 
 bool parse(std::string_view text, double& number) {
@@ -30,13 +34,26 @@ bool parse(std::string_view text, double& number) {
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
 }
 
+/// A check that `holds(number)` says; `words` say what is asked for.
+template <typename Holds>
+CLI::Validator numberCheck(const std::string& words, Holds holds) {
+    return {[words, holds](const std::string& text) {
+                double number = 0.0;
+                return parse(text, number) && holds(number) ? std::string() : fmt::format("{} is not {}", text, words);
+            },
+            "NUMBER"};
+}
+
 bool declares(const StrategyRequest& request, const std::string& key) {
     return std::any_of(request.parameters.declarations().begin(), request.parameters.declarations().end(),
                        [&](const ParameterDeclaration& declaration) { return declaration.key == key; });
 }
 
+/// Which request got which key.
+using GivenParameters = std::set<std::pair<const StrategyRequest*, std::string>>;
+
 /// Applies `A.key=value` to every strategy A, and `key=value` to every strategy that has the key.
-void apply(const std::string& text, std::vector<StrategyRequest>& requests) {
+void apply(const std::string& text, std::vector<StrategyRequest>& requests, GivenParameters& given) {
     const auto [name, value] = keyAndValue(text);
     const size_t dot = name.find('.');
     const std::string id = dot == std::string::npos ? "" : name.substr(0, dot);
@@ -45,6 +62,7 @@ void apply(const std::string& text, std::vector<StrategyRequest>& requests) {
     for (StrategyRequest& request : requests) {
         if (id.empty() ? !declares(request, key) : request.id != id) continue;
         request.parameters.setFromText(key, value);
+        if (!given.emplace(&request, key).second) throwUsage(CULLSCOPE_TR("%1: %2 is given twice."), {"-p " + text, key});
         used = true;
     }
     if (used) return;
@@ -63,7 +81,7 @@ Progress terminalProgress(const Context& context) {
 }
 
 void clearProgress() {
-    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:{}}\r", "", kBarWidth + 36);
+    if (isatty(STDERR_FILENO) != 0) putOnTerminal(fmt::format("\r{:{}}\r", "", kBarWidth + 36));
 }
 
 void addSceneOptions(CLI::App& command, SceneChoice& choice) {
@@ -76,9 +94,30 @@ OpenedScene openSceneForCommand(const SceneChoice& choice, const Context& contex
     clearProgress();
     if (opened.report)
         for (const Message& sentence : opened.report->sentences())
-            fmt::print(stderr, "cullbench: {}: {}\n", choice.specification, sentence.english());
+            say(stderr, "cullbench: {}: {}\n", choice.specification, sentence.english());
     opened.scene = withoutInstances(opened.scene, hiddenFromText(choice.hide, opened.scene->instances().size()));
     return opened;
+}
+
+CLI::Validator positiveNumber() {
+    return numberCheck("a number above 0", [](double number) { return number > 0.0; });
+}
+
+CLI::Validator numberBetween(double least, double most) {
+    return numberCheck(fmt::format("a number from {} to {}", least, most),
+                       [=](double number) { return number >= least && number <= most; });
+}
+
+CLI::Validator countFromZero() {
+    return numberCheck("a whole number from 0", [](double number) { return number >= 0.0 && number == std::floor(number); });
+}
+
+void refuseEmptyValues(CLI::App& app) {
+    for (CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->get_items_expected_max() > 0; }))
+        option->check([](const std::string& text) {
+            return text.empty() ? std::string("its value is empty; leave the option out, or say what it is") : std::string();
+        });
+    for (CLI::App* command : app.get_subcommands({})) refuseEmptyValues(*command);
 }
 
 Viewport sizeFromText(const std::string& text, const std::string& option) {
@@ -107,7 +146,8 @@ Vec3 vectorFromText(const std::string& option, const std::string& text) {
 
 std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts, const std::vector<std::string>& parameters) {
     std::vector<StrategyRequest> requests = strategiesFromText(texts);
-    for (const std::string& parameter : parameters) apply(parameter, requests);
+    GivenParameters given;
+    for (const std::string& parameter : parameters) apply(parameter, requests, given);
     return requests;
 }
 
@@ -119,7 +159,7 @@ CameraPath RunOptions::viewsOf(const Scene& scene) const {
 
 CLI::Option* addFieldOption(CLI::App& command, double& fovx) {
     return command.add_option("--fovx", fovx, "horizontal field of view in degrees (default: as the path or --fovy says)")
-        ->check(CLI::Range(0.001, 179.0));
+        ->check(numberBetween(0.001, 179.0));
 }
 
 void addRunOptions(CLI::App& command, RunOptions& options) {
@@ -140,7 +180,6 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
 void addStrategyOptions(CLI::App& command, std::vector<std::string>& strategies, std::vector<std::string>& parameters) {
     command.add_option("-s,--strategy", strategies, "strategies: A,B or A:key=value,key=value,B")
         ->required()
-        ->delimiter(',')
         ->allow_extra_args(false);
     command.add_option("-p,--parameter", parameters, "parameter: A.key=value, or key=value for every strategy that has it")
         ->allow_extra_args(false);
@@ -151,13 +190,12 @@ void requireAvailable(const StrategyRequest& request, const GlInfo& gl) {
 }
 
 void checkOutputPlaces(const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) {
-        if (path.empty() || path == "-") continue;
-        const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-        if (access(folder.c_str(), W_OK) != 0)
-            throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
-                       {path, systemReason(errno)});
-    }
+    for (const std::string& path : paths) requireWritable(path);
+}
+
+void throwNothingMeasured() {
+    throw Error(ErrorKind::Interrupted,
+                {CULLSCOPE_TR("Stopped before anything was measured: files with older results stay as they were."), {}});
 }
 
 void writeText(const std::string& path, const std::string& text) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "core/experiments/experiment_list.h"
 #include "core/scene/polygon_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
@@ -93,42 +94,41 @@ Json experimentsJson() {
 }
 
 void printStrategies() {
-    fmt::print("Strategies (-s ID, -p key=value)\n");
+    say("Strategies (-s ID, -p key=value)\n");
     for (const RegisteredStrategy& strategy : strategies()) {
-        fmt::print("  {:<12} {}\n", strategy.info.id, strategy.info.description);
-        if (strategy.info.glRequirement == GlRequirement::Context) fmt::print("    needs OpenGL to decide\n");
+        say("  {:<12} {}\n", strategy.info.id, strategy.info.description);
+        if (strategy.info.glRequirement == GlRequirement::Context) say("    needs OpenGL to decide\n");
         if (strategy.info.glRequirement == GlRequirement::CompatibilityProfile)
-            fmt::print("    needs OpenGL's compatibility profile to decide\n");
+            say("    needs OpenGL's compatibility profile to decide\n");
         for (const ParameterDeclaration& parameter : strategy.info.parameters) {
             std::string range;
             for (const auto& choice : parameter.choices) range += (range.empty() ? "" : " | ") + choice.id;
             if (parameter.type == ParameterType::Boolean) range = "true | false";
             if (range.empty()) range = fmt::format("{} … {} {}", parameter.minimum, parameter.maximum, parameter.unit);
-            fmt::print("    {} = {} (default {}): {}\n", parameter.key, range, toText(parameter.defaultValue),
-                       parameter.description);
+            say("    {} = {} (default {}): {}\n", parameter.key, range, toText(parameter.defaultValue), parameter.description);
         }
     }
 }
 
 void printScenes() {
-    fmt::print("Scenes: a mesh file (");
+    say("Scenes: a mesh file (");
     for (const std::string& extension : readableMeshExtensions())
-        fmt::print("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
-    fmt::print("), polygons (.{}), a plant (.{}) or a generator\n", kPolygonExtension, kRvmExtension);
+        say("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
+    say("), polygons (.{}), a plant (.{}) or a generator\n", kPolygonExtension, kRvmExtension);
     for (const GeneratorInfo& generator : sceneGenerators()) {
-        fmt::print("  {:<12} {}\n", generator.id, generator.description);
+        say("  {:<12} {}\n", generator.id, generator.description);
         for (const GeneratorParameter& parameter : generator.parameters)
-            fmt::print("    {} (default {}): {}\n", parameter.key,
-                       parameter.defaultValue.empty() ? "none" : parameter.defaultValue, parameter.description);
+            say("    {} (default {}): {}\n", parameter.key, parameter.defaultValue.empty() ? "none" : parameter.defaultValue,
+                parameter.description);
     }
-    fmt::print("Camera paths (--path): a JSON file or\n");
-    for (const BuiltInPath& path : builtInPaths()) fmt::print("  {:<12} {}\n", path.id, path.description);
+    say("Camera paths (--path): a JSON file or\n");
+    for (const BuiltInPath& path : builtInPaths()) say("  {:<12} {}\n", path.id, path.description);
 }
 
 void printExperiments() {
-    fmt::print("Experiments (cullbench reproduce ID)\n");
+    say("Experiments (cullbench reproduce ID)\n");
     for (const Experiment& experiment : knownExperiments())
-        fmt::print("  {:<12} {}. {}\n", experiment.id, experiment.title, experiment.source);
+        say("  {:<12} {}. {}\n", experiment.id, experiment.title, experiment.source);
 }
 
 void run(const ListOptions& options) {
@@ -138,7 +138,7 @@ void run(const ListOptions& options) {
         if (everything || options.what == "scenes") json["scenes"] = scenesJson();
         if (everything || options.what == "strategies") json["strategies"] = strategiesJson();
         if (everything || options.what == "experiments") json["experiments"] = experimentsJson();
-        fmt::print("{}\n", json.dump(1));
+        say("{}\n", json.dump(1));
         return;
     }
     if (everything || options.what == "strategies") printStrategies();

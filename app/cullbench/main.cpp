@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <system_error>
+#include <sstream>
 #include <thread>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/base/standard_streams.h"
 #include "core/experiments/result_file.h"
 
 namespace {
@@ -17,13 +19,20 @@ namespace {
 using namespace cullscope;
 using namespace cullscope::cullbench;
 
-/// The first Ctrl-C is a stop request, which keeps the measurements made so far; the second ends the program at once. The signals
-/// are blocked in every thread; one thread waits for them.
+/// As by nohup, whose program lives on when its terminal is closed.
+bool isIgnored(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// The first Ctrl-C, or the closing of the terminal, is a stop request, which keeps the measurements made so far; the second ends
+/// the program at once. The signals are blocked in every thread; one thread waits for them.
 std::stop_source stopOnInterrupt() {
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
+    if (!isIgnored(SIGHUP)) sigaddset(&signals, SIGHUP);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     std::stop_source source;
     std::thread([source, signals]() mutable {
@@ -35,8 +44,14 @@ std::stop_source stopOnInterrupt() {
     return source;
 }
 
-[[noreturn]] void refuseOutput(int number) {
-    throwUsage(CULLSCOPE_TR("Standard output cannot be written: %1. Send it somewhere else."), {systemReason(number)});
+/// Help, the version, or what is wrong with the words.
+int said(const CLI::App& app, const CLI::ParseError& failure) {
+    std::ostringstream out, err;
+    const int status = app.exit(failure, out, err) == 0 ? 0 : static_cast<int>(ErrorKind::Usage);
+    printText(stderr, err.str());
+    printText(stdout, out.str());
+    flushOutput();
+    return status;
 }
 
 int run(int argc, char** argv) {
@@ -58,33 +73,35 @@ int run(int argc, char** argv) {
     addPathCommand(app, context);
     addReproduceCommand(app, context);
     addSweepCommand(app, context);
+    refuseEmptyValues(app);
     try {
         app.parse(argc, argv);
+        flushOutput();
     } catch (const CLI::ParseError& failure) {
-        return app.exit(failure) == 0 ? 0 : static_cast<int>(ErrorKind::Usage);
-    } catch (const std::system_error& failure) {
-        // fmt throws this where a print failed.
-        if (std::ferror(stdout) == 0) throw;
-        refuseOutput(failure.code().value());
+        return said(app, failure);
+    } catch (const ReaderGone&) {
+        // Who closed the pipe has read enough; commands write their files and set their status before they print.
     }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) refuseOutput(errno);
     return context.exitStatus;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    keepStandardStreams();
     try {
         return run(argc, argv);
+    } catch (const ReaderGone&) {
+        return 0;  // of help and version
     } catch (const Error& error) {
         clearProgress();
-        fmt::print(stderr, "cullbench: {}\n", error.what());
+        say(stderr, "cullbench: {}\n", error.what());
         return static_cast<int>(error.kind());
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "cullbench: There is not enough memory for this: use a smaller scene.\n");
+        say(stderr, "cullbench: There is not enough memory for this: use a smaller scene.\n");
         return static_cast<int>(ErrorKind::Input);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "cullbench: {}\n", error.what());
+        say(stderr, "cullbench: {}\n", error.what());
         return static_cast<int>(ErrorKind::Input);
     }
 }

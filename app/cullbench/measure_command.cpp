@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "core/base/error.h"
 #include "core/experiments/result_file.h"
 #include "core/gpu/context.h"
@@ -70,30 +71,27 @@ std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", ba
 
 void printTable(const MeasureResult& result, FILE* out) {
     const Scene& scene = *result.request.scene;
-    fmt::print(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
-               scene.instances().size(), result.runs.front().frames.size(), result.request.path.poses.size(),
-               result.request.path.name, result.request.size.width, result.request.size.height);
-    fmt::print(out, "{}{}\n", result.gl.renderer, result.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
-    fmt::print(out, "{:<24} {:<12} {:>9} {:>9} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
-               ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled", "cull ms", "missed px",
-               "hole px");
+    say(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
+        scene.instances().size(), result.runs.front().frames.size(), result.request.path.poses.size(), result.request.path.name,
+        result.request.size.width, result.request.size.height);
+    say(out, "{}{}\n", result.gl.renderer, result.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
+    say(out, "{:<24} {:<12} {:>9} {:>9} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
+        ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled", "cull ms", "missed px", "hole px");
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
         const Summary& s = run.summary;
         const std::optional<Losses> losses = run.losses();
-        fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
-                   strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
-                   ratioText(s.ratioToTriangles), ratioText(s.ratioToFrontFaces), s.culledFraction * 100,
-                   s.cullShare * 1000.0 / s.fpsOverall, losses ? std::to_string(losses->missedPixels) : "-",
-                   losses ? std::to_string(losses->largestHolePixels) : "-");
+        say(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n", strategyLabel(run.strategy),
+            promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall, ratioText(s.ratioToTriangles),
+            ratioText(s.ratioToFrontFaces), s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
+            losses ? std::to_string(losses->missedPixels) : "-", losses ? std::to_string(losses->largestHolePixels) : "-");
     }
-    if (const std::string note = withoutRepetitions(result); !note.empty()) fmt::print(out, "{}\n", note);
+    if (const std::string note = withoutRepetitions(result); !note.empty()) say(out, "{}\n", note);
     for (const RunMeasurement& run : result.runs)
-        if (const std::string used = usedParts(run); !used.empty())
-            fmt::print(out, "{} used {}\n", strategyLabel(run.strategy), used);
+        if (const std::string used = usedParts(run); !used.empty()) say(out, "{} used {}\n", strategyLabel(run.strategy), used);
     for (const RunMeasurement& run : result.runs)
         if (const std::string culled = culledByCause(run, scene); !culled.empty())
-            fmt::print(out, "{} culled by cause: {}\n", strategyLabel(run.strategy), culled);
+            say(out, "{} culled by cause: {}\n", strategyLabel(run.strategy), culled);
 }
 
 /// All but the scene and what depends on it.
@@ -108,17 +106,17 @@ MeasureRequest requestOf(const MeasureOptions& options) {
     return request;
 }
 
-/// The table is printed first, and every file is tried, so that a file that cannot be written costs neither the table nor the
-/// other file.
+/// The files are written first, so that a reader of the table who has read enough costs no file. Every file is tried, so that one
+/// that cannot be written costs neither the table nor the other file.
 void report(const MeasureOptions& options, const MeasureResult& result) {
-    // Where standard output carries data, the table goes to standard error.
-    printTable(result, options.json == "-" || options.csv == "-" ? stderr : stdout);
     std::optional<Error> failure;
     for (const auto& [path, text] : {std::pair(options.json, &resultJson), std::pair(options.csv, &resultCsv)}) try {
             if (!path.empty()) writeText(path, text(result));
         } catch (const Error& error) {
             failure = error;
         }
+    // Where standard output carries data, the table goes to standard error.
+    printTable(result, options.json == "-" || options.csv == "-" ? stderr : stdout);
     if (failure) throw *failure;
 }
 
@@ -132,7 +130,7 @@ int statusOf(const MeasureResult& result) {
     int status = 0;
     for (const RunMeasurement& run : result.runs)
         if (run.promiseBroken()) {
-            fmt::print(stderr, "cullbench: {} promises to be {} and lost pixels\n", run.strategy.id, promiseId(run.promise));
+            say(stderr, "cullbench: {} promises to be {} and lost pixels\n", run.strategy.id, promiseId(run.promise));
             status = 1;
         }
     return result.interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
@@ -149,8 +147,9 @@ void run(const MeasureOptions& options, Context& context) {
     request.path = options.run.viewsOf(*opened.scene);
     const MeasureResult result = measure(request, terminalProgress(context));
     clearProgress();
-    report(options, result);
+    if (result.interrupted && result.runs.front().frames.empty()) throwNothingMeasured();
     context.exitStatus = statusOf(result);
+    report(options, result);
 }
 
 }  // namespace

@@ -120,12 +120,11 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command.add_option("--view-eye", options.eye, "eye of an observer, x,y,z (default: the culling camera's)");
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
-    command.add_option("--view-fovy", options.fovy, "the observer's vertical field of view in degrees")
-        ->check(CLI::PositiveNumber);
+    command.add_option("--view-fovy", options.fovy, "the observer's vertical field of view in degrees")->check(positiveNumber());
     command.add_option("--view-near", options.nearDistance, "the observer's near distance (default: from the eye's place)")
-        ->check(CLI::PositiveNumber);
+        ->check(positiveNumber());
     command.add_option("--view-far", options.farDistance, "the observer's far distance (default: from the eye's place)")
-        ->check(CLI::PositiveNumber);
+        ->check(positiveNumber());
     command.add_option("--culling-size", options.cullingSize,
                        "WIDTHxHEIGHT of the culling camera's picture, where an observer's is another (default: --size)");
     command.add_flag("--drawn-only", options.drawnOnly, "with --overlay verdicts: leave out what was culled");

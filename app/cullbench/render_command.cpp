@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "app/cullbench/overlays.h"
 #include "core/base/error.h"
 #include "core/frame/decided_ahead.h"
@@ -148,8 +149,8 @@ void printSteps(std::FILE* words, const BuiltStrategy& strategy, const FrameLog&
     for (size_t i = 0; i < entries.size(); ++i) {
         const FrameEntry entry = entries.at(i);
         const bool lined = entry.decision != nullptr && entry.decision->line > 0;
-        fmt::print(words, "{:>8}  {:<7}  {}\n", i + 1, lined ? fmt::format("line {}", entry.decision->line) : "",
-                   entryLine(strategy.scene(), entry, entryNames(snapshot, entry)));
+        say(words, "{:>8}  {:<7}  {}\n", i + 1, lined ? fmt::format("line {}", entry.decision->line) : "",
+            entryLine(strategy.scene(), entry, entryNames(snapshot, entry)));
     }
 }
 
@@ -170,6 +171,8 @@ void run(const RenderOptions& options, const Context& context) {
     DrawStyle style;
     style.background = colourFromText("--background", options.background, style.background);
     style.surface = colourFromText("--surface", options.surface, style.surface);
+    requirePictureFormat(options.output);
+    checkOutputPlaces({options.output});
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const Camera camera = cameraOf(options, *opened.scene, size);
     const Camera viewing = viewingCamera(options.overlays, camera, *opened.scene);
@@ -207,11 +210,11 @@ void run(const RenderOptions& options, const Context& context) {
     // Where the picture goes to standard output, the text goes to standard error.
     std::FILE* words = options.output == "-" ? stderr : stdout;
     const std::string parts = submitted.fragments > 0 ? fmt::format(" in {} fragments", submitted.fragments) : "";
-    fmt::print(words, "{}: {} of {} triangles submitted{}; {} on {}\n", options.output, submitted.triangles,
-               opened.scene->triangleCount(), parts, gl.info().renderer, gl.platform());
-    if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
+    say(words, "{}: {} of {} triangles submitted{}; {} on {}\n", options.output, submitted.triangles,
+        opened.scene->triangleCount(), parts, gl.info().renderer, gl.platform());
+    if (states.againstTruth) say(words, "{}: {}\n", options.output, described(states));
     if (options.steps) printSteps(words, *strategy, log);
-    if (!line.empty()) fmt::print(words, "{}: {}\n", options.output, line);
+    if (!line.empty()) say(words, "{}: {}\n", options.output, line);
 }
 
 }  // namespace
@@ -228,12 +231,11 @@ void addRenderCommand(CLI::App& app, Context& context) {
     auto* fovy = command->add_option("--fovy", options->fovy, "vertical field of view in degrees")->capture_default_str();
     addFieldOption(*command, options->fovx)->excludes(fovy);
     command->add_option("--near", options->nearDistance, "near distance (default: from the eye's place)")
-        ->check(CLI::PositiveNumber);
-    command->add_option("--far", options->farDistance, "far distance (default: from the eye's place)")
-        ->check(CLI::PositiveNumber);
+        ->check(positiveNumber());
+    command->add_option("--far", options->farDistance, "far distance (default: from the eye's place)")->check(positiveNumber());
     auto* path =
         command->add_option("--path", options->path, "camera path: file or built-in name")->excludes(eye)->excludes(fovy);
-    command->add_option("--pose", options->pose, "pose of the path, from 0")->needs(path)->check(CLI::NonNegativeNumber);
+    command->add_option("--pose", options->pose, "pose of the path, from 0")->needs(path)->check(countFromZero());
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--background", options->background, "colour behind the scene, RRGGBB");
     command->add_option("--surface", options->surface, "colour of the surfaces, RRGGBB");

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "app/cullbench/tables.h"
 #include "core/base/error.h"
 #include "core/experiments/experiment_list.h"
@@ -34,18 +35,41 @@ std::vector<const Experiment*> chosen(const std::string& id) {
     return experiments;
 }
 
+/// Each table is printed as soon as it is finished, because all of them take minutes. Where nobody reads on, the experiments go
+/// on for the files alone; without files, ReaderGone ends them.
+class TablePrinter {
+public:
+    explicit TablePrinter(const TableFiles& files)
+        : m_out(tableOutput(files)), m_forFiles(!files.json.empty() || !files.csv.empty() || !files.svg.empty()) {}
+
+    void print(const ResultTable& table) {
+        if (m_readerGone) return;
+        try {
+            printText(m_out, (m_first ? "" : "\n") + tableText(table));
+            if (m_out == stdout) flushOutput();
+        } catch (const ReaderGone&) {
+            if (!m_forFiles) throw;
+            m_readerGone = true;
+        }
+        m_first = false;
+    }
+
+private:
+    FILE* m_out;
+    bool m_forFiles;
+    bool m_first = true, m_readerGone = false;
+};
+
 /// Adds a table for each experiment; finished tables stay where a later experiment fails.
 void reproduceAll(const std::vector<const Experiment*>& experiments, const ExperimentOptions& options, const Progress& progress,
-                  FILE* out, std::vector<ResultTable>& tables) {
+                  TablePrinter& printer, std::vector<ResultTable>& tables) {
     std::optional<HeadlessContext> gl;
     const double count = double(experiments.size());
     for (size_t i = 0; i < experiments.size() && (tables.empty() || !tables.back().interrupted); ++i) {
         if (experiments[i]->needsOpenGl() && !gl) gl.emplace();
         tables.push_back(runExperiment(*experiments[i], options, progress.part(double(i) / count, double(i + 1) / count)));
         clearProgress();
-        // Each table is printed as soon as it is finished, because all of them take minutes.
-        fmt::print(out, "{}{}", i > 0 ? "\n" : "", tableText(tables.back()));
-        std::fflush(out);
+        printer.print(tables.back());
     }
 }
 
@@ -69,9 +93,9 @@ void run(const CommandOptions& options, Context& context) {
     checkTableFiles(options.files);
     std::vector<ResultTable> tables;
     std::optional<Error> failure;
+    TablePrinter printer(options.files);
     try {
-        reproduceAll(experiments, {context.sceneOptions, options.repeat}, terminalProgress(context), tableOutput(options.files),
-                     tables);
+        reproduceAll(experiments, {context.sceneOptions, options.repeat}, terminalProgress(context), printer, tables);
     } catch (const Error& error) {
         failure = error;
     }

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "core/base/error.h"
 #include "core/geometry/frustum_planes.h"
 #include "core/mesh/save.h"
@@ -18,6 +19,8 @@ struct ExportOptions {
 };
 
 void runExport(const ExportOptions& options, const Context& context) {
+    requireMeshFormat(options.output);
+    checkOutputPlaces({options.output});
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     std::vector<PlacedMesh> placed;
     for (size_t i = 0; i < opened.scene->instances().size(); ++i) {
@@ -26,8 +29,8 @@ void runExport(const ExportOptions& options, const Context& context) {
     }
     saveMeshFile(options.output, placed, terminalProgress(context));
     clearProgress();
-    fmt::print(options.output == "-" ? stderr : stdout, "{}: {} triangles in {} objects\n", options.output,
-               opened.scene->triangleCount(), placed.size());
+    say(options.output == "-" ? stderr : stdout, "{}: {} triangles in {} objects\n", options.output,
+        opened.scene->triangleCount(), placed.size());
 }
 
 struct InspectOptions {
@@ -54,6 +57,7 @@ std::optional<PlaneFigures> planeFigures(const StrategyInfo& info, const Scene& 
 
 void runInspect(const InspectOptions& options, const Context& context) {
     const StrategyRequest request = strategiesOf({options.strategy}, options.parameters).front();
+    checkOutputPlaces({options.json});
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     StructureStore structures;
     const BuiltStrategyPointer strategy =
@@ -85,20 +89,20 @@ void runInspect(const InspectOptions& options, const Context& context) {
         writeText(options.json, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     }
     if (options.json == "-") return;
-    fmt::print("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
-               scene.bytes());
-    for (const auto& [kind, count] : scene.partCounts()) fmt::print("  {} of kind {}\n", count, kind);
-    fmt::print("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
-               structure.buildMilliseconds, structure.bytes);
-    for (const StructureReport::Figure& figure : structure.figures) fmt::print("  {} {}\n", figure.name, figure.value);
+    say("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
+        scene.bytes());
+    for (const auto& [kind, count] : scene.partCounts()) say("  {} of kind {}\n", count, kind);
+    say("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
+        structure.buildMilliseconds, structure.bytes);
+    for (const StructureReport::Figure& figure : structure.figures) say("  {} {}\n", figure.name, figure.value);
     if (planes)
         for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
-            fmt::print("  planes from the matrix's {} differ by at most {:.2g} degrees, {:.2g} in offset\n", way,
-                       difference.angle.degrees(), difference.offset);
-    if (!structure.layout.empty()) fmt::print("  layout {}\n", structure.layout);
+            say("  planes from the matrix's {} differ by at most {:.2g} degrees, {:.2g} in offset\n", way,
+                difference.angle.degrees(), difference.offset);
+    if (!structure.layout.empty()) say("  layout {}\n", structure.layout);
     for (const MeshStates& states : strategy->meshStates())
         for (const auto& [state, meshes] : states.meshes)
-            fmt::print("  {} of {}: {}\n", states.name, meshes == 1 ? "1 mesh" : fmt::format("{} meshes", meshes), state);
+            say("  {} of {}: {}\n", states.name, meshes == 1 ? "1 mesh" : fmt::format("{} meshes", meshes), state);
 }
 
 struct PathOptions {
@@ -108,11 +112,12 @@ struct PathOptions {
 };
 
 void runPath(const PathOptions& options, const Context& context) {
+    checkOutputPlaces({options.output});
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     CameraPath path = cameraPath(options.name, *opened.scene);
     if (options.fovx > 0.0) path.fovy = verticalField(Angle::fromDegrees(options.fovx), sizeFromText(options.size));
     writeCameraPath(options.output, path);
-    if (options.output != "-") fmt::print("{}: {} poses\n", options.output, path.poses.size());
+    if (options.output != "-") say("{}: {} poses\n", options.output, path.poses.size());
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "app/cullbench/tables.h"
 #include "core/base/error.h"
 #include "core/experiments/sweeps.h"
@@ -20,8 +22,13 @@ struct SweepOptions {
 
 std::vector<std::string> valuesFromText(const std::string& text) {
     std::vector<std::string> values;
-    std::istringstream in(text);
-    for (std::string value; std::getline(in, value, ',');) values.push_back(value);
+    if (text.empty()) return values;
+    std::istringstream in(text + ",");
+    for (std::string value; std::getline(in, value, ',');) {
+        if (std::ranges::find(values, value) != values.end())
+            throwUsage(CULLSCOPE_TR("%1: %2 is given twice."), {"--vary " + text, value});
+        values.push_back(value);
+    }
     return values;
 }
 
@@ -90,9 +97,9 @@ void run(const SweepOptions& options, Context& context) {
     const std::vector<ResultTable> tables{
         runExperiment(experiment, {{}, options.run.repeat}, terminalProgress(context), {}, stage)};
     clearProgress();
-    fmt::print(tableOutput(options.files), "{}", tableText(tables.front()));
     writeTables(options.files, tables);
     context.exitStatus = tableStatus(tables);
+    printText(tableOutput(options.files), tableText(tables.front()));
 }
 
 }  // namespace

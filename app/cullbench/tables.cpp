@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
 #include "core/base/error.h"
 
 namespace cullscope::cullbench {
@@ -37,6 +39,8 @@ void checkTableFiles(const TableFiles& files) {
 FILE* tableOutput(const TableFiles& files) { return onStandardOutput(files).empty() ? stdout : stderr; }
 
 void writeTables(const TableFiles& files, const std::vector<ResultTable>& tables) {
+    const bool nothing = std::ranges::all_of(tables, [](const ResultTable& table) { return table.rows.empty(); });
+    if (nothing && tables.back().interrupted) throwNothingMeasured();
     std::optional<Error> failure;
     const auto writeTo = [&](const std::string& path, const auto& textOf) {
         if (path.empty()) return;
@@ -57,12 +61,12 @@ int tableStatus(const std::vector<ResultTable>& tables) {
     int status = 0;
     for (const ResultTable& table : tables)
         for (const std::string& strategy : table.brokenPromises) {
-            fmt::print(stderr, "cullbench: {}: {} promises to lose no pixel and lost some\n", table.experiment, strategy);
+            say(stderr, "cullbench: {}: {} promises to lose no pixel and lost some\n", table.experiment, strategy);
             status = 1;
         }
     for (const ResultTable& table : tables)
         if (table.checkFailed()) {
-            fmt::print(stderr, "cullbench: {}: a check does not hold\n", table.experiment);
+            say(stderr, "cullbench: {}: a check does not hold\n", table.experiment);
             status = 1;
         }
     return tables.back().interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;

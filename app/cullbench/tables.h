@@ -20,7 +20,7 @@ void checkTableFiles(const TableFiles& files);
 [[nodiscard]] FILE* tableOutput(const TableFiles& files);
 
 /// Writes JSON and plots of all tables, and the rows of the first as CSV. Every file is tried, so that one that cannot be written
-/// does not cost the others.
+/// does not cost the others. Throws Error(Interrupted), and writes none, where a stop came before the first row.
 void writeTables(const TableFiles& files, const std::vector<ResultTable>& tables);
 
 /// The command's exit status; what was broken is printed on standard error.

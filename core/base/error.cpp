@@ -30,6 +30,8 @@ std::string systemReason(int errorNumber) {
             return CULLSCOPE_TR("it is a folder");
         case ENAMETOOLONG:
             return CULLSCOPE_TR("the name is too long");
+        case EPIPE:
+            return CULLSCOPE_TR("the program that reads it has ended");
         case EIO:
             return CULLSCOPE_TR("the device reports an error");
         default:

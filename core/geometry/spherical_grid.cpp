@@ -17,7 +17,7 @@ constexpr double kMostRows = 8192.0;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// The largest vector · e over the unit vectors e from `from` counter-clockwise to `to`, which are less than half a turn apart.
+/// The largest vector · e over the unit vectors e from `from` counter-clockwise to `to`, which are at most half a turn apart.
 double largestDotOverArc(const Vec2& vector, const Vec2& from, const Vec2& to) {
     if (cross(from, vector) >= 0.0 && cross(vector, to) >= 0.0) return glm::length(vector);
     return std::max(glm::dot(vector, from), glm::dot(vector, to));
@@ -69,9 +69,14 @@ SphericalGrid::Cell SphericalGrid::cellOf(const Vec3& direction) const {
 }
 
 double SphericalGrid::largestDot(const Vec3& normal, const Cell& cell) const {
+    return largestDot(normal, {cell.row, cell.row, cell.column, cell.column});
+}
+
+double SphericalGrid::largestDot(const Vec3& normal, const Box& box) const {
+    assert(2 * (box.lastColumn - box.firstColumn + 1) <= m_columns);
     // normal · direction = nz·cos θ + sin θ·(nx·cos φ + ny·sin φ), and sin θ is never negative: so φ is maximised first, then θ.
-    const double aside = largestDotOverArc(Vec2(normal.x, normal.y), m_phiArms[cell.column], m_phiArms[cell.column + 1]);
-    return largestDotOverArc(Vec2(normal.z, aside), m_thetaArms[cell.row], m_thetaArms[cell.row + 1]);
+    const double aside = largestDotOverArc(Vec2(normal.x, normal.y), m_phiArms[box.firstColumn], m_phiArms[box.lastColumn + 1]);
+    return largestDotOverArc(Vec2(normal.z, aside), m_thetaArms[box.firstRow], m_thetaArms[box.lastRow + 1]);
 }
 
 }  // namespace cullscope

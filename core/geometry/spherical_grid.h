@@ -70,6 +70,8 @@ public:
 
     /// The largest normal · direction over all unit directions of a cell.
     [[nodiscard]] double largestDot(const Vec3& normal, const Cell& cell) const;
+    /// The same over all cells of a box that has at most half of the columns.
+    [[nodiscard]] double largestDot(const Vec3& normal, const Box& box) const;
 
 private:
     uint32_t m_columns, m_rows;

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/memory_limit.h"
+#include "core/base/terminal_text.h"
 #include "core/mesh/edges.h"
 #include "core/mesh/face_checks.h"
 #include "core/mesh/normals.h"
@@ -125,7 +126,8 @@ void MeshAssembler::add(RawMesh raw, double from, double to) {
     const Box3 bounds = raw.wide.empty() ? boundsOf(std::span<const Vec3f>(raw.narrow), progress)
                                          : boundsOf(std::span<const Vec3>(raw.wide), progress);
     if (bounds.diagonal() < kSmallestExtent)
-        throwInput(CULLSCOPE_TR("%1: the object \"%2\" is smaller than 1e-30. Scale it up."), {m_fileName, raw.name});
+        throwInput(CULLSCOPE_TR("%1: the object \"%2\" is smaller than 1e-30. Scale it up."),
+                   {m_fileName, terminalText(raw.name)});
     TriangleMesh::Data data;
     data.origin = bounds.centre();
     data.positions = takeOffsets(raw, data.origin, progress);

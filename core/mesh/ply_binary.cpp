@@ -5,6 +5,9 @@
 #include <bit>
 #include <cstring>
 
+#include "core/base/error.h"
+#include "core/mesh/numbers_in_text.h"
+
 namespace cullscope {
 namespace {
 
@@ -72,7 +75,7 @@ const char* PlyBinaryBody::need(uint64_t bytes, const PlyElement& element, uint6
         throwInput(CULLSCOPE_TR("%1 ends at byte %2, within number %3 of the %4 of \"%5\" that it promises. The file was cut "
                                 "off: fetch it again."),
                    {m_source.name(), std::to_string(m_source.size()), std::to_string(row + 1), std::to_string(element.count),
-                    element.name});
+                    shownWord(element.name)});
     return view.data();
 }
 

@@ -192,6 +192,8 @@ void refuseTooMany(const std::filesystem::path& path, std::span<const PlacedMesh
 
 }  // namespace
 
+void requireMeshFormat(const std::filesystem::path& path) { static_cast<void>(writerFor(path)); }
+
 void saveMeshFile(const std::filesystem::path& path, std::span<const PlacedMesh> meshes, const Progress& progress) {
     const WriteFormat write = writerFor(path);
     refuseTooMany(path, meshes);

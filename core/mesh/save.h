@@ -21,4 +21,7 @@ struct PlacedMesh {
 /// extension or where the file cannot be written.
 void saveMeshFile(const std::filesystem::path& path, std::span<const PlacedMesh> meshes, const Progress& progress = {});
 
+/// Throws Error(Usage) where saveMeshFile does not support the extension of this name.
+void requireMeshFormat(const std::filesystem::path& path);
+
 }  // namespace cullscope

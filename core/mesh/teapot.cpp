@@ -119,6 +119,7 @@ public:
         m_positions.emplace_back(Vec3(p.x, p.z - 1.575, -p.y));
         return static_cast<uint32_t>(m_positions.size() - 1);
     }
+    [[nodiscard]] Vec3 position(uint32_t vertex) const { return Vec3(m_positions[vertex]); }
     std::vector<Vec3f> takePositions() { return std::move(m_positions); }
 
 private:
@@ -126,8 +127,10 @@ private:
     std::vector<Vec3f> m_positions;
 };
 
-void addTriangle(std::vector<uint32_t>& indices, uint32_t a, uint32_t b, uint32_t c) {
-    if (a != b && b != c && a != c) indices.insert(indices.end(), {a, b, c});
+/// Nothing is added where a patch ends in a pole, or where its corners lie on a line.
+void addTriangle(std::vector<uint32_t>& indices, const PatchWelder& vertices, uint32_t a, uint32_t b, uint32_t c) {
+    const Vec3 p = vertices.position(a);
+    if (glm::cross(vertices.position(b) - p, vertices.position(c) - p) != Vec3(0.0)) indices.insert(indices.end(), {a, b, c});
 }
 
 }  // namespace
@@ -161,8 +164,8 @@ MeshPointer teapotMesh(size_t triangles, const Progress& progress) {
             for (uint32_t j = 0; j < steps; ++j) {
                 std::array<uint32_t, 4> quad{below[j], above[j], above[j + 1], below[j + 1]};
                 if (flipped(p)) std::swap(quad[1], quad[3]);
-                addTriangle(data.indices, quad[0], quad[1], quad[2]);
-                addTriangle(data.indices, quad[0], quad[2], quad[3]);
+                addTriangle(data.indices, welder, quad[0], quad[1], quad[2]);
+                addTriangle(data.indices, welder, quad[0], quad[2], quad[3]);
             }
             below = above;
         }

@@ -209,13 +209,14 @@ Camera CameraPath::camera(size_t pose) const {
 CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
     if (auto path = builtIn(nameOrFile, scene)) return *path;
     const std::filesystem::path file{std::string(nameOrFile)};
-    if (nameOrFile.find_first_of("./\\") == std::string_view::npos && !std::filesystem::exists(file))
+    std::error_code ignored;  // a name may be too long to be asked for
+    if (nameOrFile.find_first_of("./\\") == std::string_view::npos && !std::filesystem::exists(file, ignored))
         throwUsage(
             CULLSCOPE_TR(
                 "\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, "
                 "case-1, case-2, case-3."),
             {std::string(nameOrFile)});
-    if (!std::filesystem::is_regular_file(file))
+    if (!std::filesystem::is_regular_file(file, ignored))
         throwInput(CULLSCOPE_TR("%1 is no camera path file that can be read: check the name."), {file.string()});
     return readCameraPath(file);
 }

@@ -300,7 +300,8 @@ OpenedScene openScene(std::string_view specification, const SceneSourceOptions& 
         throwUsage(CULLSCOPE_TR("No scene is named. Give a mesh file or a generator such as bunny or sphere:triangles=1e5."));
     const Generator* generator = generatorOf(specification);
     if (generator == nullptr) {
-        const bool looksLikeFile = std::filesystem::exists(text) || text.find_first_of("./\\") != std::string::npos;
+        std::error_code ignored;  // a name may be too long to be asked for
+        const bool looksLikeFile = std::filesystem::exists(text, ignored) || text.find_first_of("./\\") != std::string::npos;
         if (looksLikeFile) return sceneOfFile(text, options, progress);
         std::string known;
         for (const Generator& each : generators()) known += (known.empty() ? "" : ", ") + each.info.id;

@@ -16,7 +16,8 @@ public:
 
     CellLists() = default;
     /// From lists of entries, in their order: equal lists give equal cells, independent of the threads that filled them.
-    CellLists(uint32_t cells, std::span<const std::vector<Entry>> lists);
+    /// Checks the progress between lists; throws Error(Interrupted) on a stop request.
+    CellLists(uint32_t cells, std::span<const std::vector<Entry>> lists, const Progress& progress = {});
 
     [[nodiscard]] uint32_t cellCount() const { return uint32_t(m_starts.size() - 1); }
     [[nodiscard]] uint64_t size() const { return m_values.size(); }

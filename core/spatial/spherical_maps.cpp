@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/base/work_check.h"
 #include "core/geometry/rounding.h"
 #include "core/geometry/triangle.h"
 #include "core/spatial/spherical_triangle.h"
@@ -70,9 +71,8 @@ void SphericalMaps::buildCentroidMap(const Progress& progress) {
         }
     });
     progress.check();
-    m_centroids = CellLists(m_grid.cellCount(), entries);
-    sortByRadius(m_centroids);
-    progress.check();
+    m_centroids = CellLists(m_grid.cellCount(), entries, progress);
+    sortByRadius(m_centroids, progress);
 }
 
 void SphericalMaps::buildIndexMap(const Progress& progress, uint64_t mostEntries) {
@@ -98,23 +98,28 @@ void SphericalMaps::buildIndexMap(const Progress& progress, uint64_t mostEntries
     if (total > mostEntries)
         throwUsage(CULLSCOPE_TR("The triangle index map of %1 would have more than %2 entries: choose a lower resolution."),
                    {m_mesh->name(), std::to_string(mostEntries)});
-    m_index = CellLists(m_grid.cellCount(), parts);
+    m_index = CellLists(m_grid.cellCount(), parts, progress);
     parts = {};
     progress.tell(0.8, CULLSCOPE_TR("triangle index map"));
-    sortByRadius(m_index);
+    sortByRadius(m_index, progress);
+    measureExtents(progress);
+}
+
+void SphericalMaps::measureExtents(const Progress& progress) {
     m_extents.resize(m_grid.cellCount());
     tbb::parallel_for(Range(0, m_grid.cellCount()), [&](const Range& cells) {
+        WorkCheck work(progress);
         for (uint32_t cell = cells.begin(); cell < cells.end(); ++cell) {
             Extent& extent = m_extents[cell];
             extent = {std::numeric_limits<float>::infinity(), 0.0f};
             for (const uint32_t triangle : m_index.of(cell)) {
+                work.step();
                 const std::array<Vec3, 3> points = corners(triangle);
                 extent.nearest = std::min(extent.nearest, floatBelow(nearestDistance(points)));
                 extent.farthest = std::max(extent.farthest, floatAbove(farthestRadius(points)));
             }
         }
     });
-    progress.check();
 }
 
 void SphericalMaps::buildAccessMap() {
@@ -126,13 +131,15 @@ void SphericalMaps::buildAccessMap() {
     });
 }
 
-void SphericalMaps::sortByRadius(CellLists& lists) const {
+void SphericalMaps::sortByRadius(CellLists& lists, const Progress& progress) const {
+    const auto nearer = [this](uint32_t a, uint32_t b) {
+        return m_centroidRadii[a] != m_centroidRadii[b] ? m_centroidRadii[a] < m_centroidRadii[b] : a < b;
+    };
     tbb::parallel_for(Range(0, lists.cellCount()), [&](const Range& cells) {
+        WorkCheck work(progress);
         for (uint32_t cell = cells.begin(); cell < cells.end(); ++cell) {
             const std::span<uint32_t> triangles = lists.of(cell);
-            std::sort(triangles.begin(), triangles.end(), [this](uint32_t a, uint32_t b) {
-                return m_centroidRadii[a] != m_centroidRadii[b] ? m_centroidRadii[a] < m_centroidRadii[b] : a < b;
-            });
+            std::sort(triangles.begin(), triangles.end(), work.counting(nearer));
         }
     });
 }

@@ -69,7 +69,8 @@ private:
     void buildCentroidMap(const Progress& progress);
     void buildIndexMap(const Progress& progress, uint64_t mostEntries);
     void buildAccessMap();
-    void sortByRadius(CellLists& lists) const;
+    void measureExtents(const Progress& progress);
+    void sortByRadius(CellLists& lists, const Progress& progress) const;
 
     MeshPointer m_mesh;
     SphericalGrid m_grid;

@@ -46,6 +46,17 @@ bool SphericalTriangle::touches(const SphericalGrid& grid, const SphericalGrid::
     return m_capCosine < 0.0 || grid.largestDot(m_capAxis, cell) >= m_capCosine;
 }
 
+bool SphericalTriangle::mayTouch(const SphericalGrid& grid, const SphericalGrid::Box& box) const {
+    // The largest product over a box is at least that over each of its cells, but for the rounding of a few units.
+    constexpr double kRounding = 1e-14;
+    const double least = -m_tolerance - kRounding;
+    for (const Vec3& plane : m_planes) {
+        if (grid.largestDot(plane, box) < least) return false;
+        if (m_flat && grid.largestDot(-plane, box) < least) return false;
+    }
+    return m_capCosine < 0.0 || grid.largestDot(m_capAxis, box) >= m_capCosine - kRounding;
+}
+
 SphericalTriangle::Window SphericalTriangle::windowIn(const SphericalGrid& grid) const {
     if (m_capCosine < 0.0) return {0, grid.rows() - 1, 0, grid.columns()};
     constexpr double kWiden = 1e-9;  // radians: more than the error of the arc cosine of a small cap

@@ -1,11 +1,24 @@
 #include "core/visibility/strategy_request.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
 
 namespace cullscope {
 namespace {
+
+/// With the empty ones.
+std::vector<std::string> piecesAtCommas(const std::string& text) {
+    std::vector<std::string> pieces(1);
+    for (const char character : text) {
+        if (character == ',')
+            pieces.emplace_back();
+        else
+            pieces.back() += character;
+    }
+    return pieces;
+}
 
 std::string written(const StrategyRequest& strategy, char separator) {
     std::string text = strategy.id;
@@ -33,10 +46,12 @@ StrategyRequest strategyFromText(std::string_view text) {
     request.parameters = ParameterSet(findStrategy(request.id).info.parameters);
     if (request.parameters.declarations().empty() && colon != std::string_view::npos)
         throwUsage(CULLSCOPE_TR("The strategy \"%1\" has no parameters."), {request.id});
+    std::set<std::string> given;
     while (colon != std::string_view::npos) {
         const size_t next = text.find(':', colon + 1);
         const auto [key, value] = keyAndValue(text.substr(colon + 1, next == std::string_view::npos ? next : next - colon - 1));
         request.parameters.setFromText(key, value);
+        if (!given.insert(key).second) throwUsage(CULLSCOPE_TR("%1: %2 is given twice."), {std::string(text), key});
         colon = next;
     }
     return request;
@@ -44,14 +59,17 @@ StrategyRequest strategyFromText(std::string_view text) {
 
 std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& texts) {
     std::vector<std::string> strategies;
-    for (std::string text : texts) {
-        std::ranges::replace(text, ',', ':');
-        const size_t equals = text.find('=');
-        if (!strategies.empty() && equals != std::string::npos && equals < text.find(':'))
-            strategies.back() += ":" + text;
-        else
-            strategies.push_back(std::move(text));
-    }
+    for (const std::string& text : texts)
+        for (std::string& piece : piecesAtCommas(text)) {
+            const size_t equals = piece.find('=');
+            if (piece.empty())
+                throwUsage(CULLSCOPE_TR("\"%1\" lacks a strategy before or behind a comma. Write A,B without more commas."),
+                           {text});
+            if (!strategies.empty() && equals != std::string::npos && equals < piece.find(':'))
+                strategies.back() += ":" + piece;
+            else
+                strategies.push_back(std::move(piece));
+        }
     std::vector<StrategyRequest> requests;
     for (const std::string& strategy : strategies) requests.push_back(strategyFromText(strategy));
     return requests;

@@ -1,5 +1,6 @@
 #include "core/visibility/spherical/index_map.h"
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -58,6 +59,7 @@ public:
         const auto [a, b, c] = m_maps.corners(triangle);
         std::vector<SphericalGrid::Cell> cells;
         SphericalTriangle(a, b, c).forEachCell(grid(), [&](const SphericalGrid::Cell& cell) { cells.push_back(cell); });
+        std::ranges::sort(cells, {}, [this](const SphericalGrid::Cell& cell) { return grid().number(cell); });
         return cells;
     }
     [[nodiscard]] MapValues values(std::string_view colouring) const override {

@@ -1,5 +1,7 @@
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 
 #include "core/base/atomic_file.h"
@@ -70,6 +72,74 @@ TEST_F(AtomicFile, linkIsFollowedAndFolderRefused) {
     EXPECT_EQ(contents(file("real.txt")), "new");
     std::filesystem::create_directory(file("folder"));
     EXPECT_THROW(writeFileAtomically(file("folder"), [](std::ostream& out) { out << 1; }), Error);
+}
+
+TEST_F(AtomicFile, modeAndLinksSurviveARewrite) {
+    const auto mode = [&](const char* name) { return std::filesystem::status(file(name)).permissions(); };
+    for (const auto wanted : {std::filesystem::perms(0600), std::filesystem::perms(0751), std::filesystem::perms(0664)}) {
+        writeFileAtomically(file("a.txt"), [](std::ostream& out) { out << "old"; });
+        std::filesystem::permissions(file("a.txt"), wanted);
+        writeFileAtomically(file("a.txt"), [](std::ostream& out) { out << "new"; });
+        EXPECT_EQ(mode("a.txt"), wanted);
+    }
+    // A link may lead to a file that is not there yet, and over other links.
+    std::filesystem::create_symlink("second", file("first"));
+    std::filesystem::create_symlink(file("absent.txt"), file("second"));
+    writeFileAtomically(file("first"), [](std::ostream& out) { out << "through"; });
+    EXPECT_TRUE(std::filesystem::is_symlink(file("first")));
+    EXPECT_TRUE(std::filesystem::is_symlink(file("second")));
+    EXPECT_EQ(contents(file("absent.txt")), "through");
+    std::filesystem::create_symlink("round", file("round"));
+    EXPECT_THROW(writeFileAtomically(file("round"), [](std::ostream& out) { out << 1; }), Error);
+    EXPECT_TRUE(std::filesystem::is_symlink(file("round")));
+}
+
+TEST_F(AtomicFile, longestNamesAreWritten) {
+    const std::string ascii(255, 'x'), extension = "a." + std::string(253, 'y');
+    std::string korean;
+    while (korean.size() + 3 <= 255) korean += "\xEA\xB0\x80";
+    for (const std::string& name : {ascii, extension, korean}) {
+        writeFileAtomically(file(name.c_str()), [](std::ostream& out) { out << "whole"; });
+        EXPECT_EQ(contents(file(name.c_str())), "whole");
+    }
+    const std::string tooLong(256, 'x');
+    EXPECT_THROW(requireWritable(file(tooLong.c_str())), Error);
+    EXPECT_EQ(filesInFolder(), 3);
+}
+
+TEST_F(AtomicFile, whatAKilledProgramLeftIsRemovedAndWhatOneStillWritesIsNot) {
+    std::filesystem::create_directories(file(""));
+    const pid_t killed = fork();
+    if (killed == 0)
+        writeFileAtomically(file("a.txt"), [](std::ostream& out) {
+            out << "half" << std::flush;
+            raise(SIGKILL);
+        });
+    int status = 0;
+    ASSERT_EQ(waitpid(killed, &status, 0), killed);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(filesInFolder(), 1) << "the half file";
+    writeFileAtomically(file("b.txt"), [&](std::ostream& out) {
+        out << "outer";
+        // Another file is finished in the same folder meanwhile.
+        writeFileAtomically(file("c.txt"), [](std::ostream& inner) { inner << "inner"; });
+    });
+    EXPECT_EQ(contents(file("b.txt")), "outer");
+    EXPECT_EQ(contents(file("c.txt")), "inner");
+    EXPECT_EQ(filesInFolder(), 2);
+}
+
+TEST_F(AtomicFile, placesThatCannotBeWrittenAreKnownBefore) {
+    writeFileAtomically(file("old.txt"), [](std::ostream& out) { out << "old"; });
+    std::filesystem::create_directory(file("folder"));
+    for (const std::filesystem::path& path :
+         {file("folder"), file("folder/"), file("none/a.txt"), file("old.txt/a.txt"), std::filesystem::path(".")})
+        EXPECT_THROW(requireWritable(path), Error) << path;
+    for (const std::filesystem::path& path : {file("old.txt"), file("new.txt"), std::filesystem::path("-"),
+                                              std::filesystem::path(), std::filesystem::path("/dev/null")})
+        EXPECT_NO_THROW(requireWritable(path)) << path;
+    EXPECT_EQ(contents(file("old.txt")), "old");
+    EXPECT_EQ(filesInFolder(), 2);
 }
 
 TEST_F(AtomicFile, writingAgainReplacesTheContents) {

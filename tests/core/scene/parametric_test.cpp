@@ -54,6 +54,16 @@ TEST_P(Parametric, surfaceIsWholeAndOutward) {
     }
 }
 
+TEST_P(Parametric, everyTriangleHasArea) {
+    for (const size_t asked : {64u, 66u, 100u, 224u, 500u, 5'000u}) {
+        const MeshPointer mesh = GetParam().make(asked, {});
+        for (size_t i = 0; i < mesh->indices().size(); i += 3) {
+            const auto corner = [&](size_t k) { return Vec3(mesh->positions()[mesh->indices()[i + k]]); };
+            EXPECT_NE(glm::cross(corner(1) - corner(0), corner(2) - corner(0)), Vec3(0.0)) << asked << ", triangle " << i / 3;
+        }
+    }
+}
+
 TEST_P(Parametric, normalsAreUnitAndPointOutward) {
     const MeshPointer mesh = GetParam().make(20000, {});
     ASSERT_EQ(mesh->normals().size(), mesh->vertexCount());

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/spherical_triangle.h"
 #include "tests/support/spherical_meshes.h"
+#include "tests/support/stopped_work.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::spherical_maps_test {
@@ -80,6 +82,51 @@ TEST(SphericalTriangle, touchesHardlyMoreThanItsOwnCells) {
     EXPECT_GE(touched, confirmed);
     // Beside corners, three half-spaces and a cap give a few cells too many; samples give a few too few.
     EXPECT_LT(double(touched), 1.25 * double(confirmed));
+}
+
+/// A cone of slivers that meet at the pole of the maps: its apex lies above the middle of its base, which is flat.
+MeshPointer coneOfSlivers(uint32_t sides) {
+    std::vector<Vec3f> positions{{0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, -1.0f}};
+    std::vector<uint32_t> indices;
+    for (uint32_t side = 0; side < sides; ++side) {
+        const double turn = 2.0 * std::numbers::pi * side / sides;
+        positions.emplace_back(Vec3(std::cos(turn), std::sin(turn), -1.0));
+        const uint32_t here = 2 + side, next = 2 + (side + 1) % sides;
+        indices.insert(indices.end(), {0, here, next, 1, next, here});
+    }
+    return meshOf(std::move(positions), std::move(indices));
+}
+
+TEST(SphericalTriangle, visitsTheCellsThatItTouchesAndNoOther) {
+    for (const MeshPointer& mesh : {awkwardTriangles(), randomTriangles(51, howMany(2'000, 300)), coneOfSlivers(40)})
+        for (const SphericalGrid& grid : {SphericalGrid(48, 24), SphericalGrid(5, 3), SphericalGrid(4, 2), SphericalGrid(31, 64)})
+            for (size_t triangle = 0; triangle < mesh->triangleCount(); ++triangle) {
+                std::array<Vec3, 3> corners;
+                for (size_t i = 0; i < 3; ++i) corners[i] = Vec3(mesh->positions()[mesh->indices()[3 * triangle + i]]);
+                const SphericalTriangle directions(corners[0], corners[1], corners[2]);
+                std::vector<uint32_t> visited, touched;
+                directions.forEachCell(grid, [&](const SphericalGrid::Cell& cell) { visited.push_back(grid.number(cell)); });
+                for (uint32_t number = 0; number < grid.cellCount(); ++number)
+                    if (directions.touches(grid, grid.cell(number))) touched.push_back(number);
+                std::ranges::sort(visited);
+                ASSERT_EQ(visited, touched) << "triangle " << triangle << " on " << grid.columns() << " × " << grid.rows();
+            }
+}
+
+TEST(SphericalTriangle, sliverAtAPoleIsTestedInProportionToTheCellsItTouches) {
+    const MeshPointer mesh = coneOfSlivers(300'000);
+    const SphericalGrid grid;
+    for (size_t triangle = 0; triangle < mesh->triangleCount(); triangle += 10'007) {
+        std::array<Vec3, 3> corners;
+        for (size_t i = 0; i < 3; ++i) corners[i] = Vec3(mesh->positions()[mesh->indices()[3 * triangle + i]]);
+        uint64_t touched = 0;
+        const uint64_t tested =
+            SphericalTriangle(corners[0], corners[1], corners[2]).forEachCell(grid, [&](const SphericalGrid::Cell&) {
+                ++touched;
+            });
+        EXPECT_GT(touched, 360u) << "all columns of the row at the pole";
+        EXPECT_LT(tested, 8 * touched) << "triangle " << triangle << " touches " << touched << " of " << grid.cellCount();
+    }
 }
 
 TEST(SphericalMaps, everyTriangleIsInItsCentroidsCellOnce) {
@@ -177,6 +224,16 @@ TEST(SphericalMaps, stopIsHeard) {
     Progress progress;
     progress.stop = source.get_token();
     EXPECT_THROW(SphericalMaps(starMesh(7, 5'000), SphericalGrid(), progress), Error);
+}
+
+TEST(SphericalMaps, stopIsHeardWhileListsAreSorted) {
+    const MeshPointer mesh = coneOfSlivers(2'000);
+    const tbb::global_control oneThread(tbb::global_control::max_allowed_parallelism, 1);
+    const StoppedWork work =
+        stoppedAfter(500'000, [&](const Progress& progress) { (void)SphericalMaps(mesh, SphericalGrid(), progress); });
+    EXPECT_TRUE(work.interrupted);
+    EXPECT_GE(work.stepsBefore, 500'000u) << "the row at the pole alone has 1.4 million entries";
+    EXPECT_LE(work.stepsAfter, 2 * WorkCheck::kBetween);
 }
 
 }  // namespace

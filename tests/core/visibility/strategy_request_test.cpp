@@ -39,6 +39,8 @@ TEST(StrategyText, listTakenApartAtItsCommasIsRead) {
     EXPECT_EQ(readAndWritten({"all", "frustum:facing=two-sided", "box=length", "backface"}),
               (Texts{"all", "frustum:facing=two-sided:box=length", "backface"}));
     EXPECT_EQ(readAndWritten({"frustum:facing=two-sided,box=length"}), (Texts{"frustum:facing=two-sided:box=length"}));
+    EXPECT_EQ(readAndWritten({"all,frustum:facing=two-sided,box=length,backface"}),
+              (Texts{"all", "frustum:facing=two-sided:box=length", "backface"}));
     EXPECT_EQ(readAndWritten({}), Texts{});
 }
 
@@ -48,6 +50,14 @@ TEST(StrategyText, whatIsUnknownIsRefused) {
     EXPECT_NE(refusal("frustum:facing=both").find("two-sided"), std::string::npos);
     EXPECT_EQ(refusal("frustum:facing"), "\"facing\" is not of the form key=value.");
     EXPECT_EQ(refusal("all:facing=front"), "The strategy \"all\" has no parameters.");
+    EXPECT_EQ(refusal("frustum:box=length:box=length"), "frustum:box=length:box=length: box is given twice.");
+}
+
+TEST(StrategyText, listWithACommaTooManyIsRefused) {
+    for (const std::string text : {"all,,frustum", "all,", ",all", ","})
+        EXPECT_NE(refusalOf([&] { (void)strategiesFromText({text}); }, ErrorKind::Usage).find("lacks a strategy"),
+                  std::string::npos)
+            << text;
 }
 
 }  // namespace

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string_view>
+
+namespace cullscope::cullbench {
+
+/// The program that reads standard output has ended: nobody is left to print for. Not an error.
+struct ReaderGone {};
+
+/// Prints a text as a terminal may show it (terminalText). What standard error does not take is lost: the exit status says what
+/// happened, too. Where standard output does not take it, throws ReaderGone, or Error(Usage) with the system's reason.
+void printText(std::FILE* out, std::string_view text);
+/// What was printed reaches standard output; throws as printText.
+void flushOutput();
+
+/// `printText` of a formatted text.
+template <typename... Arguments>
+void say(std::FILE* out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    printText(out, fmt::format(format, std::forward<Arguments>(arguments)...));
+}
+template <typename... Arguments>
+void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    say(stdout, format, std::forward<Arguments>(arguments)...);
+}
+
+}  // namespace cullscope::cullbench

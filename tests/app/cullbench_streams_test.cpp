@@ -1,0 +1,132 @@
+// Standard streams and interrupts: what cullbench does where nobody reads on, nothing can be written, or it is stopped early.
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/cullbench_contract.h"
+
+namespace cullbench_streams_test {
+namespace {
+
+using cullscope::test::cullbench;
+using cullscope::test::CullbenchContract;
+using cullscope::test::expectRefusal;
+using cullscope::test::ProcessResult;
+using cullscope::test::runProcess;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kMeasure = "'" CULLBENCH "' measure sphere:triangles=80 -s all --path fibonacci:2 --size 16x16 --repeat 1";
+
+class CullbenchStreams : public CullbenchContract {
+protected:
+    /// Runs a line of the shell; the exit status of its first program stands in the output.
+    static ProcessResult shell(const std::string& line) { return runProcess({"/bin/sh", "-c", line}); }
+    [[nodiscard]] std::string contents(const std::string& name) const {
+        std::ifstream in(file(name));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    [[nodiscard]] bool isWholeJson(const std::string& name) const { return nlohmann::json::accept(contents(name)); }
+};
+
+TEST_F(CullbenchStreams, readerThatEndsCostsNoFile) {
+    // `true` reads nothing and ends at once.
+    const std::string json = file("a.json");
+    const ProcessResult measured = shell("( " + kMeasure + " --json " + json + "; echo status $? >&2 ) | true");
+    EXPECT_EQ(measured.err, "status 0\n");
+    EXPECT_TRUE(isWholeJson("a.json"));
+    const std::string swept = file("b.json");
+    const std::string sweep = "'" CULLBENCH
+                              "' sweep sphere:triangles=80 -s spherical --vary rows=45 --path orbit:1 --size 16x16 "
+                              "--repeat 1 --json " +
+                              swept;
+    EXPECT_EQ(shell("( " + sweep + "; echo status $? >&2 ) | true").err, "status 0\n");
+    EXPECT_TRUE(isWholeJson("b.json"));
+    const std::string reproduced = file("c.json");
+    EXPECT_EQ(shell("( '" CULLBENCH "' reproduce quiz --json " + reproduced + "; echo status $? >&2 ) | true").err, "status 0\n");
+    EXPECT_TRUE(isWholeJson("c.json"));
+}
+
+TEST_F(CullbenchStreams, readerThatEndsIsNoErrorWhereWordsAreReadAndOneWhereDataAre) {
+    EXPECT_EQ(shell("( '" CULLBENCH "' list; echo status $? >&2 ) | true").err, "status 0\n");
+    EXPECT_EQ(shell("( '" CULLBENCH "' --help; echo status $? >&2 ) | true").err, "status 0\n");
+    const std::string data = shell("( '" CULLBENCH "' path orbit:3 sphere:triangles=20 -o -; echo status $? >&2 ) | true").err;
+    EXPECT_THAT(data, HasSubstr("status 2\n"));
+    EXPECT_THAT(data, HasSubstr("the program that reads it has ended"));
+}
+
+TEST_F(CullbenchStreams, standardErrorThatIsClosedOrFullChangesNoStatus) {
+    const std::string soupless = "'" CULLBENCH "' ";
+    for (const char* place : {"2>&-", "2>/dev/full"}) {
+        const auto status = [&](const std::string& words) { return shell(soupless + words + " " + place).exitStatus; };
+        EXPECT_EQ(status("measure nonsense -s all"), 2) << place;
+        EXPECT_EQ(status("frobnicate"), 2) << place;
+        EXPECT_EQ(status("measure " + file("absent.obj") + " -s all"), 3) << place;
+        EXPECT_EQ(shell(kMeasure + " --json - >" + file("a.json") + " " + place).exitStatus, 0) << place;
+        EXPECT_TRUE(isWholeJson("a.json")) << place;
+        EXPECT_EQ(shell(kMeasure + " --json " + file("b.json") + " " + place).exitStatus, 0) << place;
+        EXPECT_TRUE(isWholeJson("b.json")) << place;
+    }
+}
+
+TEST_F(CullbenchStreams, standardOutputThatIsClosedOrFullIsStatus2AndCostsNoFile) {
+    for (const char* place : {">&-", ">/dev/full", ">&- 2>&-", "<&- >&- 2>&-"}) {
+        EXPECT_EQ(shell(kMeasure + " --json " + file("a.json") + " " + place).exitStatus, 2) << place;
+        EXPECT_TRUE(isWholeJson("a.json")) << place;
+        EXPECT_EQ(shell("'" CULLBENCH "' --help " + std::string(place)).exitStatus, 2) << place;
+    }
+}
+
+TEST_F(CullbenchStreams, interruptBeforeTheFirstViewLeavesTheOldResult) {
+    std::ofstream soup(file("soup.obj"));
+    for (int i = 0; i < 2'000; ++i) {
+        for (int corner = 0; corner < 3; ++corner)
+            soup << "v " << std::sin(3 * i + corner) << ' ' << std::cos(7 * i + 2 * corner) << ' '
+                 << std::sin(11 * i + 5 * corner) << '\n';
+        soup << "f -3 -2 -1\n";
+    }
+    soup.close();
+    // The first frame sorts for minutes.
+    for (const char* command : {"measure", "sweep"}) {
+        std::ofstream(file("old.json")) << "old";
+        std::vector<std::string> words{command,  file("soup.obj"), "-s",     "painter:limit=100000000",
+                                       "--path", "fibonacci:1",    "--json", file("old.json")};
+        if (words[0] == "sweep") words.insert(words.end(), {"--vary", "sort=newell"});
+        const ProcessResult result = cullbench(words, {}, 3.0);
+        EXPECT_EQ(result.exitStatus, 130) << command << result.err;
+        EXPECT_THAT(result.err, HasSubstr("before anything was measured")) << command;
+        EXPECT_EQ(contents("old.json"), "old") << command;
+    }
+}
+
+TEST_F(CullbenchStreams, closedTerminalKeepsWhatWasMeasuredUnlessItIsToBeIgnored) {
+    const auto hungUp = [&](const std::string& prefix, const std::string& json) {
+        return shell(prefix +
+                     "'" CULLBENCH "' measure sphere:triangles=20 -s all --path fibonacci:3000 --size 16x16 --repeat 1 --json " +
+                     file(json) + " & p=$!; sleep 2; kill -HUP $p; wait $p");
+    };
+    EXPECT_EQ(hungUp("", "part.json").exitStatus, 130);
+    const nlohmann::json part = nlohmann::json::parse(contents("part.json"));
+    EXPECT_EQ(part["interrupted"], true);
+    EXPECT_GT(part["runs"][0]["frames"].size(), 0u);
+    EXPECT_EQ(hungUp("nohup ", "whole.json").exitStatus, 0);
+    EXPECT_EQ(nlohmann::json::parse(contents("whole.json"))["interrupted"], false);
+}
+
+TEST_F(CullbenchStreams, whatStandsInAFileDoesNotReachTheTerminalAsACommand) {
+    std::ofstream(file("esc.obj")) << "o \x1B]0;title\x07\x1B[2Jhello\nv 0 0 0\nv 1e-31 0 0\nv 0 1e-31 0\nf 1 2 3\n";
+    std::ofstream(file("esc.ply"), std::ios::binary)
+        << "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+           "element \x1B]0;title\x07 2\nproperty list uchar uchar q\nend_header\n"
+        << std::string(13, '\0');
+    std::ofstream(file("esc\x1B[31m.obj")) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 1\n";
+    for (const char* name : {"esc.obj", "esc.ply", "esc\x1B[31m.obj", "absent\x1B[31m.obj"}) {
+        const ProcessResult result = cullbench({"inspect", file(name), "-s", "all"});
+        EXPECT_THAT(result.out + result.err, Not(HasSubstr("\x1B"))) << name;
+        EXPECT_THAT(result.out + result.err, HasSubstr("?")) << name;
+    }
+}
+
+}  // namespace
+}  // namespace cullbench_streams_test
