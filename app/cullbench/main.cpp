@@ -11,6 +11,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/base/last_words.h"
 #include "core/base/standard_streams.h"
 #include "core/experiments/result_file.h"
 
@@ -89,6 +90,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     keepStandardStreams();
+    endWithSentenceOnTerminate();
     try {
         return run(argc, argv);
     } catch (const ReaderGone&) {

@@ -4755,6 +4755,14 @@
         <source>More than %1 generators stand one inside another. Write the inner scene to a mesh file with cullbench export, and name that file.</source>
         <translation>생성기가 %1개보다 많이 겹쳐 있습니다. 안쪽 장면을 cullbench export로 메시 파일에 저장하고 그 파일을 지정하세요.</translation>
     </message>
+    <message>
+        <source>the program that reads it has ended</source>
+        <translation>읽는 프로그램이 끝났습니다</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lacks a strategy before or behind a comma. Write A,B without more commas.</source>
+        <translation>&quot;%1&quot;에서 쉼표 앞이나 뒤에 전략이 없습니다. 쉼표를 더 쓰지 말고 A,B로 쓰세요.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

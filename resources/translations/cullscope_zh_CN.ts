@@ -4755,6 +4755,14 @@
         <source>More than %1 generators stand one inside another. Write the inner scene to a mesh file with cullbench export, and name that file.</source>
         <translation>嵌套的生成器超过 %1 个。请用 cullbench export 将内层场景写入网格文件，并指定该文件。</translation>
     </message>
+    <message>
+        <source>the program that reads it has ended</source>
+        <translation>读取它的程序已结束</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; lacks a strategy before or behind a comma. Write A,B without more commas.</source>
+        <translation>“%1”的逗号之前或之后缺少策略。请写成 A,B，不要多余的逗号。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
