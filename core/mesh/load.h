@@ -21,6 +21,7 @@ struct LoadReport {
     size_t outOfRangeFaces = 0;       ///< dropped: a corner's index names no vertex
     size_t unreferencedVertices = 0;  ///< dropped: no face of the file names them
     size_t normalsMade = 0;           ///< vertices whose normal was missing or unusable and was computed from the faces
+    size_t bentByRounding = 0;        ///< kept: triangles with a side that rounding to floats changes by more than a tenth
     /// False where duplicate faces and non-manifold edges were not searched for: in meshes above kOptionalAnalysisLimit.
     bool analysed = true;
     std::vector<Message> remarks;  ///< other repairs or ignored parts, one sentence for each
@@ -51,9 +52,10 @@ struct LoadOptions {
 };
 
 /// Reads OBJ, PLY (ASCII, binary, triangle strips), STL (ASCII, binary), OFF or OM; the format follows from the content where
-/// that is unambiguous, else from the extension. Coordinates stay as in the file: doubles are kept as floats about a double
-/// origin. Throws Error(Input) with one sentence that names file and line or byte, the defect and what to do; Error(Interrupted)
-/// within 100 ms of a stop request. Never allocates memory by a count that the file states but may not contain.
+/// that is unambiguous, else from the extension. Coordinates are kept as floats about a double origin among most of an object's
+/// vertices; triangles that this rounding changes by more than a tenth of their longest side are counted. Throws Error(Input)
+/// with one sentence that names file and line or byte, the defect and what to do; Error(Interrupted) within 100 ms of a stop
+/// request. Never allocates memory by a count that the file states but may not contain.
 [[nodiscard]] LoadedFile loadMeshFile(const std::filesystem::path& path, const LoadOptions& options = {},
                                       const Progress& progress = {});
 

@@ -23,6 +23,10 @@ std::vector<Message> LoadReport::sentences() const {
         nonFiniteVertices);
     addCount(all, CULLSCOPE_TR("Faces dropped that name a vertex which does not exist: %1."), outOfRangeFaces);
     addCount(all, CULLSCOPE_TR("Vertices dropped that no face uses: %1."), unreferencedVertices);
+    addCount(all,
+             CULLSCOPE_TR("Triangles whose sides change by more than a tenth, because their object is too large beside them for "
+                          "floats: %1. Remove what lies far away, or make it an object of its own."),
+             bentByRounding);
     all.insert(all.end(), remarks.begin(), remarks.end());
     return all;
 }

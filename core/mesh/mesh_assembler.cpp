@@ -8,6 +8,7 @@
 #include "core/base/terminal_text.h"
 #include "core/mesh/edges.h"
 #include "core/mesh/face_checks.h"
+#include "core/mesh/float_offsets.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/steps.h"
 
@@ -52,17 +53,6 @@ Box3 boundsOf(std::span<const Position> positions, const Progress& progress) {
         for (size_t i = begin; i < end; ++i) bounds.add(Vec3(positions[i]));
     });
     return bounds;
-}
-
-/// The positions as offsets from `origin`; frees the memory of the old positions.
-std::vector<Vec3f> takeOffsets(RawMesh& raw, const Vec3& origin, const Progress& progress) {
-    std::vector<Vec3f> offsets = std::move(raw.narrow);
-    if (!raw.wide.empty()) offsets.resize(raw.wide.size());
-    inSteps(offsets.size(), progress, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) offsets[i] = Vec3f((raw.wide.empty() ? Vec3(offsets[i]) : raw.wide[i]) - origin);
-    });
-    std::vector<Vec3>().swap(raw.wide);
-    return offsets;
 }
 
 bool makeUnit(Vec3f& normal) {
@@ -129,7 +119,8 @@ void MeshAssembler::add(RawMesh raw, double from, double to) {
         throwInput(CULLSCOPE_TR("%1: the object \"%2\" is smaller than 1e-30. Scale it up."),
                    {m_fileName, terminalText(raw.name)});
     TriangleMesh::Data data;
-    data.origin = bounds.centre();
+    data.origin = originForFloats(raw, bounds);
+    report.bentByRounding += trianglesBentByRounding(raw, data.origin, progress);
     data.positions = takeOffsets(raw, data.origin, progress);
     data.normals = std::move(raw.normals);
     data.indices = std::move(raw.triangles);

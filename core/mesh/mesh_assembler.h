@@ -10,8 +10,8 @@
 namespace cullscope {
 
 /// Makes meshes of the objects that the readers find, and keeps the report: checks and repairs faces, triangulates polygons,
-/// moves the origin to the object's centre, computes normals. It works in place, so that it needs little more memory than the
-/// mesh.
+/// moves the origin to where most of an object is, computes normals. It works in place, so that it needs little more memory than
+/// the mesh.
 class MeshAssembler {
 public:
     MeshAssembler(std::string fileName, const LoadOptions& options, const Progress& progress);

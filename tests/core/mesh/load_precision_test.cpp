@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <random>
+#include <set>
 
+#include "core/mesh/parametric.h"
 #include "tests/support/mesh_files.h"
 
 namespace cullscope::test::load_precision_test {
@@ -63,6 +67,56 @@ TEST_F(Precision, verySmallAndVeryLargeMeshesComeBack) {
         EXPECT_EQ(file.report.trianglesMade, 100U);
         for (const Vec3f& normal : file.objects[0].mesh->normals()) EXPECT_NEAR(glm::length(Vec3(normal)), 1.0, 1e-5);
     }
+}
+
+/// A sphere, and a triangle of its own size that lies `away` from it in all three directions.
+std::string sphereAndATriangle(double away, bool asObject) {
+    const MeshPointer sphere = sphereMesh(2'000);
+    std::string text;
+    for (const Vec3f& p : sphere->positions()) text += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+    for (const int corner : {0, 1, 2})
+        text += fmt::format("v {:.17g} {:.17g} {:.17g}\n", away, away + (corner == 1 ? 1 : 0), away + (corner == 2 ? 1 : 0));
+    for (size_t i = 0; i < sphere->indices().size(); i += 3)
+        text += fmt::format("f {} {} {}\n", sphere->indices()[i] + 1, sphere->indices()[i + 1] + 1, sphere->indices()[i + 2] + 1);
+    const size_t first = sphere->vertexCount() + 1;
+    return text + fmt::format("{}f {} {} {}\n", asObject ? "o far\n" : "", first, first + 1, first + 2);
+}
+
+TEST_F(Precision, verticesFarAwayCostTheOthersNothing) {
+    const MeshPointer sphere = sphereMesh(2'000);
+    for (const double away : {1e3, 1e5, 1e8, 1e12}) {
+        const LoadedFile file = load("far.obj", sphereAndATriangle(away, false));
+        const TriangleMesh& mesh = *file.objects.at(0).mesh;
+        const auto place = [&](size_t corner) { return mesh.position(mesh.indices()[corner]); };
+        const size_t corners = sphere->indices().size();
+        ASSERT_EQ(mesh.indices().size(), corners + 3);
+        std::set<std::array<double, 3>> places;
+        for (size_t corner = 0; corner < corners; ++corner) {
+            const Vec3 read = place(corner), written(sphere->positions()[sphere->indices()[corner]]);
+            places.insert({read.x, read.y, read.z});
+            ASSERT_LE(glm::length(read - written), 4e-7) << corner << ", " << away;
+        }
+        EXPECT_EQ(places.size(), sphere->vertexCount()) << away;
+        EXPECT_LE(glm::length(place(corners) - Vec3(away)), 2e-7 * away);
+        EXPECT_EQ(file.report.bentByRounding, away > 1e7 ? 1u : 0u) << away << ": the far triangle's corners are one place";
+    }
+}
+
+TEST_F(Precision, trianglesThatFloatsCannotHoldAreCountedAndSaid) {
+    // Two spheres in one object: no place is near to both.
+    const std::vector<Vec3> near = points(Vec3(0.0), 1.0), far = points(Vec3(1e9, 0.0, 0.0), 1.0);
+    std::vector<Vec3> both = near;
+    both.insert(both.end(), far.begin(), far.end());
+    const LoadedFile file = load("two.obj", obj(both, "v {:.17g} {:.17g} {:.17g}\n"));
+    EXPECT_GE(file.report.bentByRounding, 190u) << "some of the 200 hardly reach in the direction that is lost";
+    const std::vector<Message> sentences = file.report.sentences();
+    EXPECT_TRUE(std::ranges::any_of(sentences, [&](const Message& each) {
+        return each.english().find("too large beside them for floats: " + std::to_string(file.report.bentByRounding)) !=
+               std::string::npos;
+    }));
+    // As objects of their own both are as in the file.
+    EXPECT_TRUE(load("apart.obj", sphereAndATriangle(1e9, true)).report.clean());
+    EXPECT_TRUE(load("one.obj", obj(near, "v {:.17g} {:.17g} {:.17g}\n")).report.clean());
 }
 
 TEST_F(Precision, meshesTooSmallForFloatsAreRefused) {
