@@ -4763,6 +4763,10 @@
         <source>&quot;%1&quot; lacks a strategy before or behind a comma. Write A,B without more commas.</source>
         <translation>&quot;%1&quot;에서 쉼표 앞이나 뒤에 전략이 없습니다. 쉼표를 더 쓰지 말고 A,B로 쓰세요.</translation>
     </message>
+    <message>
+        <source>Triangles whose sides change by more than a tenth, because their object is too large beside them for floats: %1. Remove what lies far away, or make it an object of its own.</source>
+        <translation>객체가 삼각형에 비해 너무 커서 float로 반올림할 때 변이 10분의 1 넘게 바뀌는 삼각형: %1. 멀리 있는 것을 제거하거나 별도의 객체로 만드세요.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -4763,6 +4763,10 @@
         <source>&quot;%1&quot; lacks a strategy before or behind a comma. Write A,B without more commas.</source>
         <translation>“%1”的逗号之前或之后缺少策略。请写成 A,B，不要多余的逗号。</translation>
     </message>
+    <message>
+        <source>Triangles whose sides change by more than a tenth, because their object is too large beside them for floats: %1. Remove what lies far away, or make it an object of its own.</source>
+        <translation>因对象相对于三角形过大，取整为 float 后边的变化超过十分之一的三角形：%1。请移除远处的部分，或将其作为单独的对象。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
