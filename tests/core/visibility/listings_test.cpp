@@ -16,12 +16,12 @@ namespace cullscope::test::listings_test {
 namespace {
 
 /// Rows of stars before and behind the eye of `ahead`; those of every third row have triangles enough for cells.
-ScenePointer rows() {
+ScenePointer rows(size_t manyTriangles = 2500) {
     std::vector<MeshPointer> meshes;
     std::vector<Mat4> places;
     for (int z = 0; z < 6; ++z)
         for (int x = -4; x <= 4; ++x) {
-            meshes.push_back(starMesh(uint64_t(x + 5), z % 3 == 0 ? (fewSamples() ? 1000 : 2500) : 100));
+            meshes.push_back(starMesh(uint64_t(x + 5), z % 3 == 0 ? manyTriangles : 100));
             places.push_back(translation({4.0 * x, 0.3 * x, 12.0 - 6.0 * z}));
         }
     return sceneOf(std::move(meshes), places);
@@ -68,7 +68,7 @@ TEST(Listings, areShortAndStrategiesWithoutOneNameNoLines) {
 }
 
 TEST(Listings, stateIsThatOfTheDecisionsSoFar) {
-    const ScenePointer scene = rows();
+    const ScenePointer scene = rows(fewSamples() ? 1000 : 2500);
     for (const auto& [id, culler] : withListings(*scene)) {
         SCOPED_TRACE(id);
         const FrameLog log = recorded(*culler).log;
