@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <cmath>
 #include <fstream>
+#include <future>
 
 #include "tests/support/stopped_work.h"
 #include "tests/ui/shown_window.h"
@@ -59,6 +60,38 @@ TEST_F(LongFrame, endsWhenAnotherStrategyIsChosen) {
     }));
     EXPECT_LE(watched.steps() - asked, WorkCheck::kBetween);
     for (const auto& message : messages) EXPECT_NE(message.at(0).value<Severity>(), Severity::Error);
+}
+
+// The frame of the former strategy is asked for, but not begun: it waits for work that the thread is at.
+TEST_F(LongFrame, isNotBegunOnceAnotherStrategyIsBuilt) {
+    const WatchedWork watched;
+    std::promise<void> letGoOn;
+    session.gpu()->post([waits = letGoOn.get_future().share()] { waits.wait(); }, Urgency::Picture);
+    workForMinutes(session, "painter");
+    ASSERT_TRUE(waitUntil([&] { return !session.slot(0).building() && session.slot(0).built()->id() == "painter"; }));
+    QApplication::processEvents();  // the picture is asked for
+    session.slot(0).choose("all");
+    ASSERT_TRUE(waitUntil([&] { return !session.slot(0).building() && session.slot(0).built()->id() == "all"; }));
+    letGoOn.set_value();
+    ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && session.metricsSettled(); }));
+    EXPECT_LT(watched.steps(), kUnderWay);
+    EXPECT_EQ(session.picture(0)->consideredTriangles, session.scene()->triangleCount());
+}
+
+// What a window shows waits for the GPU thread when it goes.
+TEST_F(LongFrame, endsWithTheWindow) {
+    auto own = std::make_unique<Session>(sessionOptions(true));
+    auto its = std::make_unique<MainWindow>(*own, language, appearance);
+    its->show();
+    openAndWait(*own, file());
+    const WatchedWork watched;
+    workForMinutes(*own, "painter");
+    ASSERT_TRUE(waitUntil([&] { return watched.steps() > kUnderWay; }));
+    watched.pauseAtEachLook(kPause);
+    const uint64_t asked = watched.steps();
+    its.reset();
+    own.reset();
+    EXPECT_LE(watched.steps() - asked, kLooks * WorkCheck::kBetween);
 }
 
 TEST_F(LongFrame, andALongBuildEndWithTheSession) {

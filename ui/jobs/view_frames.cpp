@@ -70,7 +70,7 @@ ViewFramePointer ViewFrames::beside(const FrameRequest& request, Renderer& rende
             state = newest->before->clone();
     }
     if (!state) state = request.strategy->begin();
-    return decide(request, *state, renderer);
+    return decide(request, *state, renderer, For::Beside);
 }
 
 ViewFramePointer FramesBeside::of(const FrameRequest& request, Renderer& renderer) {
@@ -107,13 +107,13 @@ size_t ViewFrames::decided(int view) const {
     return found == m_decided.end() ? 0 : found->second;
 }
 
-ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& state, Renderer& renderer) {
+ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& state, Renderer& renderer, For whom) {
     auto frame = std::make_shared<ViewFrame>();
     frame->request = request;
     const View culling(request.culling, request.size);
     GpuFrame context(renderer, *request.buffers, culling, true);
     const std::stop_callback closing(m_stop.get_token(), [this] { interrupt(std::nullopt); });
-    context.stopBy(begin(request));
+    context.stopBy(begin(request, whom));
     try {
         request.strategy->draw(context, state);
     } catch (...) {
@@ -125,14 +125,16 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& stat
     return frame;
 }
 
-std::stop_token ViewFrames::begin(const FrameRequest& request) {
+std::stop_token ViewFrames::begin(const FrameRequest& request, For whom) {
     const std::lock_guard lock(m_mutex);
     m_deciding = request.view;
+    m_whom = whom;
     m_strategy = request.strategy;
     m_stopOfThisFrame = {};
     const auto unwanted = m_unwanted.find(request.view);
     const bool isUnwanted = unwanted != m_unwanted.end() && unwanted->second.lock() == request.strategy;
-    if (m_stop.stop_requested() || isUnwanted) m_stopOfThisFrame.request_stop();
+    const bool late = whom == For::View && overtaken(request.view, request.strategy);
+    if (m_stop.stop_requested() || isUnwanted || late) m_stopOfThisFrame.request_stop();
     return m_stopOfThisFrame.get_token();
 }
 
@@ -148,6 +150,17 @@ void ViewFrames::interrupt(std::optional<int> view) {
     if (!m_deciding || (view && m_deciding != view)) return;
     m_stopOfThisFrame.request_stop();
     if (view) m_unwanted[*view] = m_strategy;
+}
+
+void ViewFrames::want(int view, const BuiltStrategyPointer& strategy) {
+    const std::lock_guard lock(m_mutex);
+    m_wanted[view] = strategy;
+    if (m_deciding == view && m_whom == For::View && overtaken(view, m_strategy.lock())) m_stopOfThisFrame.request_stop();
+}
+
+bool ViewFrames::overtaken(int view, const BuiltStrategyPointer& strategy) const {
+    const auto wanted = m_wanted.find(view);
+    return wanted != m_wanted.end() && wanted->second.lock() != strategy;
 }
 
 size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place) {

@@ -73,6 +73,10 @@ public:
     /// frames of the same strategy that wait for the GPU thread end at once, too, until the view is interrupted again. On any
     /// thread.
     void interrupt(std::optional<int> view);
+    /// Says by which strategy the view's frames are decided from now on (null: by none). A frame of the view by any other one
+    /// that is being decided, or waits for the GPU thread, ends at once: it may take minutes. The frames that `beside` decides go
+    /// on. On any thread.
+    void want(int view, const BuiltStrategyPointer& strategy);
 
     /// Drops the frames, or those of a view whose strategy is another one by now.
     void forget() { m_views.clear(); }
@@ -99,18 +103,26 @@ private:
         [[nodiscard]] bool follows(const Compared& one) const { return one.follows.lock() == frame; }
     };
 
+    /// For whom a frame is decided: for what its view shows, or for a picture that no view shows.
+    enum class For { View, Beside };
+
     /// What the frame of a view looks at; `end` follows.
-    [[nodiscard]] std::stop_token begin(const FrameRequest& request);
+    [[nodiscard]] std::stop_token begin(const FrameRequest& request, For whom);
     void end(int view, bool decided);
-    [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, ViewState& state, Renderer& renderer);
+    [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, ViewState& state, Renderer& renderer,
+                                          For whom = For::View);
+    /// Whether the view wants frames of another strategy by now. Called with m_mutex held.
+    [[nodiscard]] bool overtaken(int view, const BuiltStrategyPointer& strategy) const;
 
     std::map<int, Memory> m_views;
     std::stop_source m_stop;
     mutable std::mutex m_mutex;
     std::map<int, size_t> m_decided;                               ///< guarded by m_mutex
     std::optional<int> m_deciding;                                 ///< the view whose frame is being decided; guarded by m_mutex
+    For m_whom = For::View;                                        ///< it is decided for; guarded by m_mutex
     std::weak_ptr<const BuiltStrategy> m_strategy;                 ///< its strategy; guarded by m_mutex
     std::map<int, std::weak_ptr<const BuiltStrategy>> m_unwanted;  ///< by view; guarded by m_mutex
+    std::map<int, std::weak_ptr<const BuiltStrategy>> m_wanted;    ///< by view; guarded by m_mutex
     std::stop_source m_stopOfThisFrame;                            ///< guarded by m_mutex
 };
 using ViewFramesPointer = std::shared_ptr<ViewFrames>;

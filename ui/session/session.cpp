@@ -57,8 +57,9 @@ Session::Session(Options options, QObject* parent)
 Session::~Session() {
     m_loader.blockSignals(true);
     m_loader.cancel();
+    // First, for whatever ends below waits for the GPU thread.
+    endFrames();
     m_step.reset();
-    m_frames->stop();
     if (m_meter) m_meter->cancel();
     for (ViewState& view : m_views) view.figures = {};
     // Finish work and deliveries of the GPU thread while that thread exists.
@@ -114,6 +115,8 @@ void Session::makeView(int view) {
         update();
     });
     connect(state.slot.get(), &StrategySlot::builtChanged, this, [this, view] {
+        // A frame of the former strategy may have been waiting, or begun, since the new one was chosen.
+        m_frames->want(view, slot(view).built());
         // A group of what was built before is none of what is built now.
         if (m_group && std::ranges::none_of(m_views, [this](const ViewState& each) {
                 return each.slot && each.slot->built() == m_group->strategy;

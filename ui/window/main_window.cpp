@@ -72,8 +72,11 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     arrange();
 }
 
-// The lecture window returns the borrowed view to the grid, so it is destroyed while the grid exists.
-MainWindow::~MainWindow() { delete m_lecture; }
+MainWindow::~MainWindow() {
+    m_session.endFrames();
+    // The lecture window returns the borrowed view to the grid, so it is destroyed while the grid exists.
+    delete m_lecture;
+}
 
 void MainWindow::makeCentre() {
     auto* centre = new QWidget(this);
