@@ -17,19 +17,15 @@ Axis unit(const Axis& a) {
     return {a[0] / length, a[1] / length, a[2] / length};
 }
 
-struct Pixel {
-    Real x, y;
-};
+}  // namespace
 
-Real toSegment(const Pixel& p, const Pixel& a, const Pixel& b) {
+Real PixelEdges::toSegment(const Pixel& p, const Pixel& a, const Pixel& b) {
     const Real dx = b.x - a.x;
     const Real dy = b.y - a.y;
     const Real squared = dx * dx + dy * dy;
     const Real t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, Real(0), Real(1)) : Real(0);
     return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
-
-}  // namespace
 
 PixelEdges::PixelEdges(const Scene& scene, const Camera& camera, const Viewport& viewport)
     : m_scene(scene), m_camera(camera), m_viewport(viewport) {
@@ -56,7 +52,7 @@ PixelEdges::Point PixelEdges::fromEye(const Vec3& origin, const Mat3& linear, co
     return {dot(point, m_axes[0]), dot(point, m_axes[1]), dot(point, m_axes[2])};
 }
 
-double PixelEdges::toEdgeOf(uint64_t triangle, size_t pixel) const {
+std::vector<PixelEdges::Pixel> PixelEdges::cornersOf(uint64_t triangle) const {
     const size_t instance = m_scene.instanceOf(triangle);
     const TriangleMesh& mesh = m_scene.meshOf(instance);
     const Mat4& place = m_scene.instances()[instance].worldFromMesh;
@@ -84,12 +80,29 @@ double PixelEdges::toEdgeOf(uint64_t triangle, size_t pixel) const {
     for (const Point& p : polygon)
         corners.push_back({(p.right / (p.forward * m_tanHalfWidth) + 1) * m_viewport.width / 2,
                            (p.up / (p.forward * m_tanHalfHeight) + 1) * m_viewport.height / 2});
+    return corners;
+}
+
+double PixelEdges::toEdgeOf(uint64_t triangle, size_t pixel) const {
+    const std::vector<Pixel> corners = cornersOf(triangle);
     const auto width = static_cast<size_t>(m_viewport.width);
     const Pixel centre{Real(pixel % width) + Real(0.5), Real(pixel / width) + Real(0.5)};
     Real nearest = std::numeric_limits<Real>::infinity();
     for (size_t i = 0; i < corners.size(); ++i)
         nearest = std::min(nearest, toSegment(centre, corners[i], corners[(i + 1) % corners.size()]));
     return static_cast<double>(nearest);
+}
+
+double PixelEdges::inscribedRadius(uint64_t triangle) const {
+    const std::vector<Pixel> corners = cornersOf(triangle);
+    Real doubleArea = 0, perimeter = 0;
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const Pixel& a = corners[i];
+        const Pixel& b = corners[(i + 1) % corners.size()];
+        doubleArea += (a.x - corners[0].x) * (b.y - corners[0].y) - (b.x - corners[0].x) * (a.y - corners[0].y);
+        perimeter += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    return perimeter > 0 ? static_cast<double>(std::abs(doubleArea) / perimeter) : 0.0;
 }
 
 }  // namespace cullscope::test

@@ -32,6 +32,12 @@ struct LongFrame : Window {
         }
         soup.close();
         openAndWait(session, file());
+        // Building makes steps, too, also for views that are not shown.
+        ASSERT_TRUE(waitUntil([&] {
+            for (int view = 0; view < Session::kMostViews; ++view)
+                if (session.slot(view).building()) return false;
+            return session.pictures()->isCurrent(0) && session.pictures()->isCurrent(1);
+        }));
         settle();
     }
 
