@@ -1,4 +1,4 @@
-// What nearly every test includes, parsed once for all test programs of core (and once more for those of the desktop).
+// What nearly every test includes, parsed once for all test programs of core.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -21,6 +21,14 @@ size_t ownStatus(const std::string& name) {
 
 }  // namespace
 
+bool memoryIsTheWorks() {
+#ifdef CULLSCOPE_SANITIZED
+    return false;
+#else
+    return true;
+#endif
+}
+
 size_t peakBytesOf(const std::function<void()>& work) {
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) return 0;

@@ -259,7 +259,7 @@ TEST(SessionText, moreThanItsViewsMayTakeIsRefusedBeforeAnythingIsMade) {
     for (int i = 0; i < 300'000; ++i) lists += "[],";
     many.insert(many.find('{') + 1, "\"unknown\": [" + lists + "[]],");
     EXPECT_THAT(refusal(many), HasSubstr("it has more than 100000 values."));
-    if (!test::kMemoryIsTheWorks) return;
+    if (!test::memoryIsTheWorks()) return;
     EXPECT_LT(test::peakBytesOf([&] { (void)refusal(many); }), size_t{16} << 20);
 }
 

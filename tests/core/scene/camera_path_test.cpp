@@ -94,7 +94,7 @@ TEST(CameraPathFile, takesMemoryForItsPosesAlone) {
     const std::string wrong = R"({"poses":[{"eye":[)" + numbers + R"(1],"target":[0,0,0],"up":[0,1,0]}]})";
     EXPECT_EQ(refusal(ignored), "");
     EXPECT_EQ(refusal(wrong), ": pose 0: \"eye\" must be three numbers.");
-    if (!test::kMemoryIsTheWorks) return;
+    if (!test::memoryIsTheWorks()) return;
     for (const std::string* text : {&ignored, &wrong}) {
         const TemporaryFile file(*text);
         EXPECT_LT(test::peakBytesOf([&] { (void)readCameraPath(file.path()); }), size_t{8} << 20);

@@ -32,7 +32,7 @@ TEST(SceneLimits, generatorsHaveTheMemoryLimitOfFiles) {
 }
 
 TEST(SceneLimits, generatorsTakeNoMoreMemoryThanIsPlanned) {
-    if (!test::kMemoryIsTheWorks) GTEST_SKIP() << "the sanitizer's memory would be measured";
+    if (!test::memoryIsTheWorks()) GTEST_SKIP() << "the sanitizer's memory would be measured";
     constexpr double kOther = 4e6;  // of the process: stacks, and pages that are not full
     const auto peakOf = [](const char* specification) {
         return double(test::peakBytesOf([&] { (void)openScene(specification); }));
@@ -68,7 +68,7 @@ TEST(SceneLimits, aMillionNestedGeneratorsTakeNoMemory) {
     for (const auto& work :
          {std::function<void()>([&] { (void)openScene(text); }), std::function<void()>([&] { (void)withFiles(text, same); })}) {
         EXPECT_THAT(test::refusalOf(work, ErrorKind::Usage), HasSubstr("More than 64 generators"));
-        if (!test::kMemoryIsTheWorks) continue;
+        if (!test::memoryIsTheWorks()) continue;
         EXPECT_LT(test::peakBytesOf(work), 10 * text.size());
     }
 }
