@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/progress.h"
 #include "core/frame/decided_ahead.h"
 #include "core/frame/frame_steps.h"
 
@@ -113,8 +114,11 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& stat
     const View culling(request.culling, request.size);
     GpuFrame context(renderer, *request.buffers, culling, true);
     const std::stop_callback closing(m_stop.get_token(), [this] { interrupt(std::nullopt); });
-    context.stopBy(begin(request, whom));
+    const std::stop_token stop = begin(request, whom);
+    context.stopBy(stop);
     try {
+        // A frame that is not wanted makes no step at all.
+        Progress{nullptr, stop}.check();
         request.strategy->draw(context, state);
     } catch (...) {
         end(request.view, false);
