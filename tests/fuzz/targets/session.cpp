@@ -1,0 +1,16 @@
+#include "tests/fuzz/support.h"
+#include "tests/fuzz/targets.h"
+#include "ui/session/session_file.h"
+
+namespace cullscope::fuzz {
+
+void session(std::string_view input) {
+    const std::filesystem::path file = scratchFolder() / "input.cullscope";
+    std::optional<ui::SessionState> state;
+    accepted({ErrorKind::Input}, [&] { state = ui::stateFromText(input, file); });
+    if (!state) return;
+    const std::string text = ui::stateToText(*state, file);
+    require(ui::stateFromText(text, file) == state, "a session that is saved is read back as another one");
+}
+
+}  // namespace cullscope::fuzz
