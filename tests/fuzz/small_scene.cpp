@@ -32,7 +32,7 @@ Vec3 pointOf(Values& values, Coordinates kind) {
 
 /// Any faces between any points.
 RawMesh anyMesh(Values& values) {
-    constexpr size_t kMostVertices = 32, kMostFaces = 40, kMostCorners = 6;
+    constexpr size_t kMostVertices = 24, kMostFaces = 24, kMostCorners = 6;
     RawMesh raw;
     const auto kind = Coordinates(values.below(4));
     const Vec3 away(values.below(8) == 7 ? 1e7 : 0.0);
@@ -108,7 +108,7 @@ MeshPointer meshOf(Values& values) {
 }
 
 ScenePointer sceneOf(Values& values) {
-    constexpr size_t kMostInstances = 8;
+    constexpr size_t kMostInstances = 5;
     std::vector<MeshPointer> meshes = meshesOf(values);
     if (meshes.empty()) return nullptr;
     std::vector<Instance> instances;

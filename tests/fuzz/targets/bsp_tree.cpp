@@ -11,7 +11,7 @@ void bsp_tree(std::string_view input) {
     BspOptions options;
     options.plane = BspPlane(values.below(4));
     options.candidates = int(1 + values.below(16));
-    options.limit = 20'000;
+    options.limit = 2000;
     const ScenePointer scene = sceneOf(values);
     if (!scene) return;
     accepted({ErrorKind::Usage}, [&] {

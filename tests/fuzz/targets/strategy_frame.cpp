@@ -68,6 +68,9 @@ void strategy_frame(std::string_view input) {
         const ParameterDeclaration& declaration = declared[values.below(declared.size())];
         parameters.set(declaration.key, valueOf(values, declaration));
     }
+    // Cuts of triangles are many times as many as these before a strategy gives up.
+    for (const ParameterDeclaration& declaration : declared)
+        if (declaration.key == "limit") parameters.set("limit", int64_t{500});
     const ScenePointer scene = sceneOf(values);
     if (!scene) return;
     StructureStore store;
