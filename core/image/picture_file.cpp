@@ -10,10 +10,10 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/image/exr_header.h"
 #include "core/image/jpeg_scans.h"
 #include "core/image/picture_formats_module.h"
 #include "core/image/picture_pixels.h"
+#include "core/image/stated_lengths.h"
 #include "core/scene/camera.h"
 
 namespace cullscope {
@@ -173,8 +173,8 @@ PictureFormat formatToRead(const std::filesystem::path& path) {
                                 "Give it the ending of what it is."),
                    {path.string(), kNames[static_cast<size_t>(*format)]});
     if (*format == PictureFormat::Jpeg) refuseLargeScans(path);
-    if (*format == PictureFormat::Exr && attributeExceedsFile(path))
-        refuseToRead(path, {PictureFormatFailure::Kind::Library, "an attribute of its header is longer than the file."});
+    if (statesWrongLength(*format, path))
+        refuseToRead(path, {PictureFormatFailure::Kind::Library, "it states a length that what follows has not."});
     return *format;
 }
 

@@ -50,7 +50,7 @@ TEST_P(FuzzInputs, findingsAreMended) { run(kFolder / "findings"); }
 TEST_P(FuzzInputs, emptyInputIsTakenOrRefused) { EXPECT_NO_THROW(GetParam().run({})); }
 
 INSTANTIATE_TEST_SUITE_P(Target, FuzzInputs, testing::ValuesIn(targets()),
-                         [](const testing::TestParamInfo<Target>& info) { return std::string(info.param.name); });
+                         [](const testing::TestParamInfo<Target>& each) { return std::string(each.param.name); });
 
 TEST(FuzzTargets, everySourceAndEveryFolderOfInputsIsATarget) {
     std::set<std::string> names;
