@@ -13,6 +13,7 @@
 #include "core/image/jpeg_scans.h"
 #include "core/image/picture_formats_module.h"
 #include "core/image/picture_pixels.h"
+#include "core/image/stated_lengths.h"
 #include "core/scene/camera.h"
 
 namespace cullscope {
@@ -172,6 +173,8 @@ PictureFormat formatToRead(const std::filesystem::path& path) {
                                 "Give it the ending of what it is."),
                    {path.string(), kNames[static_cast<size_t>(*format)]});
     if (*format == PictureFormat::Jpeg) refuseLargeScans(path);
+    if (statesWrongLength(*format, path))
+        refuseToRead(path, {PictureFormatFailure::Kind::Library, "it states a length that what follows has not."});
     return *format;
 }
 

@@ -33,11 +33,16 @@ ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progre
         throwInput(CULLSCOPE_TR("%1 is not a regular file. Save the mesh in a file and name that."), {m_name});
     }
     m_size = static_cast<uint64_t>(status.st_size);
-    m_buffer.resize(kBlock);
+    m_buffer.resize(nextBlock());
     if (hash) m_hash.emplace();
 }
 
 ByteSource::~ByteSource() { close(m_file); }
+
+size_t ByteSource::nextBlock() const {
+    const uint64_t left = m_size > m_readBytes ? m_size - m_readBytes : 0;
+    return static_cast<size_t>(std::min<uint64_t>(kBlock, left + 1));
+}
 
 bool ByteSource::refill(size_t wanted) {
     if (m_atEnd) return false;
@@ -48,7 +53,8 @@ bool ByteSource::refill(size_t wanted) {
         m_begin = 0;
     }
     // The buffer grows with what has been read, never by more than a file of that many bytes needs.
-    if (m_buffer.size() < std::min(wanted, m_end + kBlock) || m_end == m_buffer.size()) m_buffer.resize(m_end + kBlock);
+    const size_t block = nextBlock();
+    if (m_buffer.size() < std::min(wanted, m_end + block) || m_end == m_buffer.size()) m_buffer.resize(m_end + block);
     ssize_t got = 0;
     do {
         got = read(m_file, m_buffer.data() + m_end, std::min(kBlock, m_buffer.size() - m_end));

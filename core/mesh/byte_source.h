@@ -48,6 +48,8 @@ public:
     [[nodiscard]] std::string sha256();
 
 private:
+    /// The bytes to read at once: a block, or of a small file what is left of it and one more, which finds its end.
+    [[nodiscard]] size_t nextBlock() const;
     bool refill(size_t wanted);
     void decideLineEnd();
 

@@ -25,7 +25,7 @@ size_t wordLength(std::string_view text) {
 /// A file's name may contain an equals sign; only a plain word before it is a parameter's name.
 Specification::Piece pieceOf(std::string_view text) {
     const size_t equals = text.find('=');
-    if (equals == std::string_view::npos || wordLength(text) != equals) return {"", std::string(text)};
+    if (equals == std::string_view::npos || equals == 0 || wordLength(text) != equals) return {"", std::string(text)};
     return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }
 

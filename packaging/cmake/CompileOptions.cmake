@@ -18,6 +18,11 @@ if(CULLSCOPE_SANITIZE)
   target_compile_definitions(cullscope_options INTERFACE CULLSCOPE_SANITIZED)
 endif()
 
+if(CULLSCOPE_FUZZERS)
+  # libFuzzer steers by what the code counts of its branches and compares.
+  target_compile_options(cullscope_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE)
   # Precompiled headers need these two relaxations, or ccache does not find them again.

@@ -32,6 +32,7 @@ std::string programOf(const std::string& file) {
     if (!isTestFile(file)) return {};
     if (std::regex_match(file, match, kCore)) return match[1];
     if (file.starts_with("tests/app/")) return "cullbench";
+    if (file.starts_with("tests/fuzz/")) return "fuzz";
     if (file.starts_with("tests/ui/looks/")) return "looks";
     if (file.starts_with("tests/ui/")) return "ui";
     if (file.starts_with("tests/benchmark/")) return "benchmark";

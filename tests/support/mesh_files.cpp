@@ -5,11 +5,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 
 #include "core/base/error.h"
+#include "tests/support/sound_mesh.h"
 
 namespace cullscope::test {
 namespace {
@@ -21,26 +21,6 @@ void limitMemory() {
     const rlimit limit{kChildMemory, kChildMemory};
     setrlimit(RLIMIT_AS, &limit);
 #endif
-}
-
-bool isSound(const TriangleMesh& mesh) {
-    if (mesh.triangleCount() == 0 || mesh.normals().size() != mesh.vertexCount()) return false;
-    for (const uint32_t index : mesh.indices())
-        if (index >= mesh.vertexCount()) return false;
-    for (size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-        const double length = glm::length(Vec3(mesh.normals()[vertex]));
-        if (!std::isfinite(glm::dot(mesh.position(vertex), Vec3(1.0))) || std::abs(length - 1.0) > 1e-3) return false;
-    }
-    return std::isfinite(mesh.localSphere().radius) && mesh.topology().boundaryEdges < 3 * mesh.triangleCount() + 1;
-}
-
-bool isSound(const LoadedFile& file) {
-    size_t triangles = 0;
-    for (const LoadedObject& object : file.objects) {
-        if (object.name.empty() || !isSound(*object.mesh)) return false;
-        triangles += object.mesh->triangleCount();
-    }
-    return triangles > 0 && triangles == file.report.trianglesMade && file.sha256.size() == 64;
 }
 
 }  // namespace

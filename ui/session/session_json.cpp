@@ -140,6 +140,12 @@ ViewSetup readSetup(const JsonField& field) {
     return setup;
 }
 
+ParameterSet parametersOf(const SessionState::View& view) {
+    ParameterSet parameters(findStrategy(view.strategy).info.parameters);
+    for (const auto& [key, text] : view.parameters) parameters.setFromText(key, text);
+    return parameters;
+}
+
 Json jsonOf(const SessionState::View& view) {
     Json json{{"strategy", view.strategy}, {"parameters", Json::object()}};
     for (const auto& [key, text] : view.parameters) json["parameters"][key] = text;

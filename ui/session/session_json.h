@@ -20,6 +20,9 @@ namespace cullscope::ui {
 /// Reads the setup from the JSON object that also holds the view's strategy; missing fields keep the values of a new view.
 [[nodiscard]] ViewSetup readSetup(const JsonField& field);
 
+/// The view's parameters as a ParameterSet of its strategy. Throws Error(Usage) naming an unknown strategy or parameter.
+[[nodiscard]] ParameterSet parametersOf(const SessionState::View& view);
+
 [[nodiscard]] nlohmann::ordered_json jsonOf(const SessionState::View& view);
 [[nodiscard]] SessionState::View readView(const JsonField& field);
 

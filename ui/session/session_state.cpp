@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/scene/hidden.h"
-#include "core/visibility/registry.h"
+#include "ui/session/session_json.h"
 
 namespace cullscope::ui {
 
@@ -89,12 +89,6 @@ PictureSubject pictureSubject(const Session& session, int view, const std::optio
     subject.look = request ? request->look : session.setup(view).look;
     subject.style = request ? request->style : session.drawStyle();
     return subject;
-}
-
-ParameterSet parametersOf(const SessionState::View& view) {
-    ParameterSet parameters(findStrategy(view.strategy).info.parameters);
-    for (const auto& [key, text] : view.parameters) parameters.setFromText(key, text);
-    return parameters;
 }
 
 }  // namespace cullscope::ui

@@ -50,7 +50,4 @@ void applyState(Session& session, const SessionState& state);
 /// What a view's picture shows, or would show; without figures. `request`: what is drawn; none: there is nothing to draw yet.
 [[nodiscard]] PictureSubject pictureSubject(const Session& session, int view, const std::optional<ViewRequest>& request);
 
-/// The view's parameters as a ParameterSet of its strategy. Throws Error(Usage) naming an unknown strategy or parameter.
-[[nodiscard]] ParameterSet parametersOf(const SessionState::View& view);
-
 }  // namespace cullscope::ui

@@ -9,6 +9,7 @@
 
 #include "core/image/jpeg_scans.h"
 #include "core/image/picture_file.h"
+#include "core/image/stated_lengths.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/refusal.h"
 
@@ -111,6 +112,45 @@ TEST_F(PictureReading, largeJpegsInSeveralScansAreRefused) {
     }
     writePicture(file("b.jpg"), smallPicture());
     EXPECT_EQ(sizeKeptWhole(file("b.jpg")), std::nullopt);
+}
+
+TEST_F(PictureReading, lengthsInTheHeaderOfAnExrThatItsValuesHaveNotAreRefused) {
+    Picture picture = smallPicture();
+    picture.metadata = {{"cullscope:scene", "bunny"}};
+    writePicture(file("a.exr"), picture);
+    EXPECT_FALSE(statesWrongLength(PictureFormat::Exr, file("a.exr")));
+    const std::string exr = textOf(file("a.exr"));
+    const std::string text("scene\0string\0", 13), channels("chlist\0", 7), window("box2i\0", 6);
+    for (const auto& [before, stated] : {std::pair{text, '\x7f'}, {channels, '\0'}, {window, '\0'}}) {
+        std::string changed = exr;
+        const size_t lowest = changed.find(before) + before.size();
+        changed[lowest + (stated == '\0' ? 0 : 3)] = stated;
+        std::ofstream(file("b.exr"), std::ios::binary) << changed;
+        EXPECT_TRUE(statesWrongLength(PictureFormat::Exr, file("b.exr"))) << before;
+        const auto read = [&] { (void)readPictureMetadata(file("b.exr")); };
+        EXPECT_THAT(test::refusalOf(read, ErrorKind::Input), HasSubstr("states a length"));
+    }
+    for (const std::string& broken : {std::string(), exr.substr(0, 20), std::string("\x76\x2f\x31\x01")}) {
+        std::ofstream(file("b.exr"), std::ios::binary) << broken;
+        EXPECT_FALSE(statesWrongLength(PictureFormat::Exr, file("b.exr"))) << "its reader says that it is cut off";
+    }
+}
+
+TEST_F(PictureReading, chunkOfAPngThatEndsBeyondTheFileIsRefused) {
+    Picture picture = smallPicture();
+    picture.metadata = {{"cullscope:scene", "bunny"}};
+    writePicture(file("a.png"), picture);
+    EXPECT_FALSE(statesWrongLength(PictureFormat::Png, file("a.png")));
+    const std::string png = textOf(file("a.png"));
+    std::string changed = png;
+    changed[changed.find("tEXt") - 4] = '\x70';
+    std::ofstream(file("b.png"), std::ios::binary) << changed;
+    EXPECT_THAT(test::refusalOf([&] { (void)readPictureMetadata(file("b.png")); }, ErrorKind::Input),
+                HasSubstr("states a length"));
+    // Its pixels are cut off, and what describes them is not.
+    std::ofstream(file("c.png"), std::ios::binary) << png.substr(0, png.find("IDAT") + 8);
+    EXPECT_FALSE(statesWrongLength(PictureFormat::Png, file("c.png")));
+    EXPECT_EQ(readPictureMetadata(file("c.png")).at(0).second, "bunny");
 }
 
 TEST_F(PictureReading, metadataIsThatOfTheWholePicture) {
