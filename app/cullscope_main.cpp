@@ -1,17 +1,22 @@
 // The desktop: reads the command line, checks that there is a display with OpenGL, and creates the window.
 #include <CLI/CLI.hpp>
 #include <QIcon>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <sstream>
 
+#include "app/command_words.h"
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/last_words.h"
 #include "core/base/standard_streams.h"
 #include "core/base/terminal_text.h"
 #include "core/scene/absolute_files.h"
-#include "core/scene/camera.h"
+#include "core/scene/viewport_text.h"
 #include "core/visibility/strategy_request.h"
+#include "ui/startup/abrupt_end.h"
 #include "ui/startup/display.h"
 #include "ui/startup/first_views.h"
 #include "ui/startup/recovery.h"
@@ -35,12 +40,10 @@ struct CommandLine {
 };
 
 Viewport sizeFromText(const std::string& text) {
-    Viewport size;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 || size.width < 320 || size.height < 240 ||
-        size.width > cullscope::kMostPixels || size.height > cullscope::kMostPixels)
+    const std::optional<Viewport> size = viewportFromText(text);
+    if (!size || size->width < 320 || size->height < 240)
         throwUsage("--size %1: write a size such as 1366x768, between 320x240 and 16384x16384.", {text});
-    return size;
+    return *size;
 }
 
 /// One strategy for each view, written as for cullbench.
@@ -52,11 +55,27 @@ std::vector<StrategyRequest> strategiesOfViews(const std::vector<std::string>& t
     return requests;
 }
 
+void sayError(const std::string& sentence) { std::fprintf(stderr, "cullscope: %s\n", terminalLine(sentence).c_str()); }
+
+/// Ends with help, the version, or what is wrong with the words. A reader that has read enough is no error.
+[[noreturn]] void endWith(const CLI::App& parser, const CLI::ParseError& failure) {
+    std::ostringstream out, err;
+    const int status = parser.exit(failure, out, err) == 0 ? 0 : int(ErrorKind::Usage);
+    std::fputs(terminalText(err.str()).c_str(), stderr);
+    std::fputs(terminalText(out.str()).c_str(), stdout);
+    if (std::fflush(stdout) != 0 && errno != EPIPE) {
+        sayError("Standard output cannot be written: " + systemReason(errno) + ". Send it somewhere else.");
+        std::exit(int(ErrorKind::Usage));
+    }
+    std::exit(status);
+}
+
 CommandLine parse(int argc, char** argv) {
     CommandLine line;
     std::string size;
     std::vector<std::string> strategies;
     CLI::App parser("Cullscope: shows what each culling strategy draws, how fast, and what it loses.", "cullscope");
+    sayFailuresOnOneLine(parser);
     parser.add_option("SCENE", line.scene, "A mesh file, or a generator such as field:n=20 (cullbench list scenes)");
     parser
         .add_option("-s,--strategy", strategies,
@@ -70,15 +89,20 @@ CommandLine parse(int argc, char** argv) {
                       "The size of the window, as WIDTHxHEIGHT (default: 1366x768, or the screen where it is smaller)");
     parser.add_option("--screenshot", line.screenshot, "Save a picture of the window once the figures are there, and leave");
     parser.set_version_flag("--version", CULLSCOPE_VERSION);
+    refuseEmptyValues(parser);
     try {
+        refuseEmptyAssignments(argc, argv);
         parser.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        const int status = parser.exit(error);
-        std::exit(status == 0 ? 0 : int(ErrorKind::Usage));
+    } catch (const CLI::ParseError& failure) {
+        endWith(parser, failure);
     }
     // The working folder may go away while the window is open.
     for (std::filesystem::path& folder : line.modelFolders) folder = absoluteFile(folder.string());
     if (!size.empty()) line.size = sizeFromText(size);
+    if (!line.screenshot.empty()) {
+        ui::requireWindowPictureFormat(line.screenshot);
+        requireWritable(line.screenshot);
+    }
     if (!strategies.empty()) line.strategies = strategiesOfViews(strategies);
     return line;
 }
@@ -91,7 +115,7 @@ void chooseLanguage(ui::Language& language, const std::string& asked) {
         language.use(ui::Language::isKnown(stored) ? stored : ui::Language::ofSystem());
 }
 
-int show(ui::Application& application, const CommandLine& line) {
+int show(ui::Application& application, ui::AbruptEnd& abruptEnd, const CommandLine& line) {
     ui::Language language;
     chooseLanguage(language, line.language);
     ui::Appearance appearance;
@@ -100,9 +124,12 @@ int show(ui::Application& application, const CommandLine& line) {
     ui::Session::Options options;
     options.sceneSource.modelFolders = line.modelFolders;
     ui::Session session(options);
-    QObject::connect(&session, &ui::Session::messageRaised, [](ui::Severity severity, const Message& message) {
-        if (severity == ui::Severity::Error) std::fprintf(stderr, "cullscope: %s\n", terminalText(message.english()).c_str());
-    });
+    QObject::connect(&session, &ui::Session::messageRaised,
+                     [said = std::string()](ui::Severity severity, const Message& message) mutable {
+                         // What fails in every view is one failure.
+                         if (severity == ui::Severity::Error && std::exchange(said, message.english()) != message.english())
+                             sayError(said);
+                     });
     ui::showFirstViews(session, line.strategies);
 
     ui::MainWindow window(session, language, appearance);
@@ -119,10 +146,11 @@ int show(ui::Application& application, const CommandLine& line) {
         ui::showFitting(window, kUsualSize);
     }
     ui::Recovery recovery(application, session, window, ui::Recovery::usualFile());
+    if (remembers) abruptEnd.keepBy([&] { return recovery.keep(); });
     const std::string scene = line.scene.empty() ? defaultSceneSpecification(options.sceneSource) : line.scene;
     std::unique_ptr<ui::WindowPicture> picture;
     if (!line.screenshot.empty()) {
-        picture = std::make_unique<ui::WindowPicture>(window, session, QString::fromStdString(line.screenshot));
+        picture = std::make_unique<ui::WindowPicture>(window, session, line.screenshot);
         QObject::connect(picture.get(), &ui::WindowPicture::done, &application, &QCoreApplication::exit);
     }
     window.document().opener().open(QString::fromStdString(scene));
@@ -135,8 +163,10 @@ int show(ui::Application& application, const CommandLine& line) {
 int main(int argc, char** argv) {
     keepStandardStreams();
     endWithSentenceOnTerminate();
+    endWithSentenceOnWant();
     try {
         const CommandLine line = parse(argc, argv);
+        ui::AbruptEnd abruptEnd;
         ui::requireDisplay();
         ui::setDefaultSurfaceFormat();
         QCoreApplication::setOrganizationName(QStringLiteral("cullscope"));
@@ -147,18 +177,21 @@ int main(int argc, char** argv) {
         QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/cullscope.svg")));
         try {
             static_cast<void>(ui::requireOpenGl());
-            return show(*application, line);
+            const int status = show(*application, abruptEnd, line);
+            abruptEnd.keepBy({});
+            return status;
         } catch (const Error& error) {
-            std::fprintf(stderr, "cullscope: %s\n", terminalText(error.what()).c_str());
-            ui::showWithoutTerminal(error);
+            abruptEnd.keepBy({});
+            sayError(error.what());
+            if (line.screenshot.empty()) ui::showWithoutTerminal(error);
             return int(error.kind());
         }
     } catch (const Error& error) {
-        std::fprintf(stderr, "cullscope: %s\n", terminalText(error.what()).c_str());
+        sayError(error.what());
         return int(error.kind());
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "cullscope: It cannot be started: %s. Close other programs, or allow it more memory (ulimit -v).\n",
-                     terminalText(error.what()).c_str());
+        sayError(std::string("It cannot be started: ") + error.what() +
+                 ". Close other programs, or allow it more memory (ulimit -v).");
         return int(ErrorKind::Input);
     }
 }

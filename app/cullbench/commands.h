@@ -48,8 +48,6 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 [[nodiscard]] CLI::Validator positiveNumber();
 [[nodiscard]] CLI::Validator numberBetween(double least, double most);
 [[nodiscard]] CLI::Validator countFromZero();
-/// Options of a program and its commands that take a value refuse an empty one, which would else pass for none at all.
-void refuseEmptyValues(CLI::App& app);
 
 /// "640x480". Throws Error(Usage).
 [[nodiscard]] Viewport sizeFromText(const std::string& text, const std::string& option = "--size");

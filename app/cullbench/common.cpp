@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/scene/camera.h"
 #include "core/scene/hidden.h"
+#include "core/scene/viewport_text.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope::cullbench {
@@ -112,24 +113,9 @@ CLI::Validator countFromZero() {
     return numberCheck("a whole number from 0", [](double number) { return number >= 0.0 && number == std::floor(number); });
 }
 
-void refuseEmptyValues(CLI::App& app) {
-    for (CLI::Option* option : app.get_options([](const CLI::Option* each) { return each->get_items_expected_max() > 0; }))
-        option->check([](const std::string& text) {
-            return text.empty() ? std::string("its value is empty; leave the option out, or say what it is") : std::string();
-        });
-    for (CLI::App* command : app.get_subcommands({})) refuseEmptyValues(*command);
-}
-
 Viewport sizeFromText(const std::string& text, const std::string& option) {
-    const size_t x = text.find_first_of("xX");
-    Viewport size{0, 0};
-    const auto number = [&](size_t from, size_t to, int& value) {
-        const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
-        return error == std::errc() && end == text.data() + to && value >= 1 && value <= kMostPixels;
-    };
-    if (x == std::string::npos || !number(0, x, size.width) || !number(x + 1, text.size(), size.height))
-        throwUsage(CULLSCOPE_TR("%1 %2 is not WIDTHxHEIGHT with 1 to 16384 pixels, as in 640x480."), {option, text});
-    return size;
+    if (const std::optional<Viewport> size = viewportFromText(text)) return *size;
+    throwUsage(CULLSCOPE_TR("%1 %2 is not WIDTHxHEIGHT with 1 to 16384 pixels, as in 640x480."), {option, text});
 }
 
 Vec3 vectorFromText(const std::string& option, const std::string& text) {

@@ -138,7 +138,7 @@ void run(const ListOptions& options) {
         if (everything || options.what == "scenes") json["scenes"] = scenesJson();
         if (everything || options.what == "strategies") json["strategies"] = strategiesJson();
         if (everything || options.what == "experiments") json["experiments"] = experimentsJson();
-        say("{}\n", json.dump(1));
+        printText(stdout, json.dump(1) + "\n");
         return;
     }
     if (everything || options.what == "strategies") printStrategies();

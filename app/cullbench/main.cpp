@@ -8,10 +8,12 @@
 #include <sstream>
 #include <thread>
 
+#include "app/command_words.h"
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
 #include "core/base/last_words.h"
+#include "core/base/memory_limit.h"
 #include "core/base/standard_streams.h"
 #include "core/experiments/result_file.h"
 
@@ -61,6 +63,7 @@ int run(int argc, char** argv) {
     context.stop = interrupt.get_token();
 
     CLI::App app("Measures what a renderer does not draw, and what that costs in accuracy.", "cullbench");
+    sayFailuresOnOneLine(app);
     app.set_version_flag("--version", toolVersion().version + " (" + toolVersion().commit + ")");
     app.require_subcommand(1);
     app.fallthrough();
@@ -76,6 +79,7 @@ int run(int argc, char** argv) {
     addSweepCommand(app, context);
     refuseEmptyValues(app);
     try {
+        refuseEmptyAssignments(argc, argv);
         app.parse(argc, argv);
         flushOutput();
     } catch (const CLI::ParseError& failure) {
@@ -91,6 +95,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     keepStandardStreams();
     endWithSentenceOnTerminate();
+    endWithSentenceOnWant();
     try {
         return run(argc, argv);
     } catch (const ReaderGone&) {
@@ -103,7 +108,9 @@ int main(int argc, char** argv) {
         say(stderr, "cullbench: There is not enough memory for this: use a smaller scene.\n");
         return static_cast<int>(ErrorKind::Input);
     } catch (const std::exception& error) {
-        say(stderr, "cullbench: {}\n", error.what());
+        say(stderr, "cullbench: It cannot go on: {}. {}\n", error.what(),
+            memoryIsShort() ? "Close other programs, or allow this one more memory (ulimit -v)."
+                            : "Close other programs, or use a smaller scene.");
         return static_cast<int>(ErrorKind::Input);
     }
 }

@@ -4,6 +4,9 @@
 
 #include <cstdio>
 #include <string_view>
+#include <type_traits>
+
+#include "core/base/terminal_text.h"
 
 namespace cullscope::cullbench {
 
@@ -16,10 +19,19 @@ void printText(std::FILE* out, std::string_view text);
 /// What was printed reaches standard output; throws as printText.
 void flushOutput();
 
+/// Words within a line, which may be names, stay on it (terminalLine); other values are as they are.
+template <typename Argument>
+decltype(auto) onItsLine(const Argument& argument) {
+    if constexpr (std::is_convertible_v<const Argument&, std::string_view>)
+        return terminalLine(argument);
+    else
+        return (argument);
+}
+
 /// `printText` of a formatted text.
 template <typename... Arguments>
 void say(std::FILE* out, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-    printText(out, fmt::format(format, std::forward<Arguments>(arguments)...));
+    printText(out, fmt::vformat(format, fmt::make_format_args(onItsLine(arguments)...)));
 }
 template <typename... Arguments>
 void say(fmt::format_string<Arguments...> format, Arguments&&... arguments) {

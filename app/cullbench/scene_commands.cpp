@@ -6,6 +6,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/base/terminal_text.h"
 #include "core/geometry/frustum_planes.h"
 #include "core/mesh/save.h"
 #include "core/scene/camera_path.h"
@@ -86,7 +87,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
                 json["planes"][way] = {{"degrees", difference.angle.degrees()}, {"offset", difference.offset}};
         for (const MeshStates& states : strategy->meshStates())
             for (const auto& [state, meshes] : states.meshes) json[states.key].push_back({{"state", state}, {"meshes", meshes}});
-        writeText(options.json, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+        writeText(options.json, plainJson(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n");
     }
     if (options.json == "-") return;
     say("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),

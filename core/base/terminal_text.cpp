@@ -1,9 +1,17 @@
 #include "core/base/terminal_text.h"
 
+#include <array>
+#include <cstdio>
+
 namespace cullscope {
 namespace {
 
 constexpr std::string_view kReplacement = "?";
+
+struct Character {
+    std::string_view bytes;  ///< the byte alone where `valid` is false
+    bool valid;              ///< UTF-8
+};
 
 unsigned byteAt(std::string_view text, size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; }
 
@@ -29,18 +37,53 @@ bool isControl(std::string_view character) {
     return character.size() == 1 && (first == 0x7F || (first < 0x20 && first != '\n' && first != '\t'));
 }
 
+bool isLineEndOrTab(std::string_view character) { return character == "\n" || character == "\t"; }
+
+/// The text with each character as `written(character)` gives it.
+template <typename Written>
+std::string rewritten(std::string_view text, const Written& written) {
+    std::string result;
+    result.reserve(text.size());
+    while (!text.empty()) {
+        const size_t bytes = characterBytes(text);
+        const Character character{text.substr(0, bytes == 0 ? 1 : bytes), bytes != 0};
+        result += written(character);
+        text.remove_prefix(character.bytes.size());
+    }
+    return result;
+}
+
 }  // namespace
 
 std::string terminalText(std::string_view text) {
-    std::string shown;
-    shown.reserve(text.size());
-    while (!text.empty()) {
-        const size_t bytes = characterBytes(text);
-        const std::string_view character = text.substr(0, bytes);
-        shown += bytes == 0 || isControl(character) ? kReplacement : character;
-        text.remove_prefix(bytes == 0 ? 1 : bytes);
-    }
-    return shown;
+    return rewritten(text, [](const Character& character) {
+        return !character.valid || isControl(character.bytes) ? kReplacement : character.bytes;
+    });
+}
+
+std::string terminalLine(std::string_view text) {
+    return rewritten(text, [](const Character& character) {
+        const bool shown = character.valid && !isControl(character.bytes) && !isLineEndOrTab(character.bytes);
+        return shown ? character.bytes : kReplacement;
+    });
+}
+
+std::string plainName(std::string_view name) {
+    return rewritten(name, [](const Character& character) {
+        // In encodings of one byte a letter the controls above U+0080 are these bytes.
+        const bool obeyed =
+            character.valid ? isControl(character.bytes) || isLineEndOrTab(character.bytes) : byteAt(character.bytes, 0) < 0xA0;
+        return obeyed ? std::string_view("_") : character.bytes;
+    });
+}
+
+std::string plainJson(std::string_view json) {
+    return rewritten(json, [](const Character& character) {
+        if (!isControl(character.bytes)) return std::string(character.bytes);
+        std::array<char, 8> escaped{};
+        std::snprintf(escaped.data(), escaped.size(), "\\u%04x", byteAt(character.bytes, character.bytes.size() - 1));
+        return std::string(escaped.data());
+    });
 }
 
 }  // namespace cullscope

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/terminal_text.h"
 #include "core/base/version.h"
 #include "core/measure/accuracy.h"
 
@@ -143,7 +144,7 @@ std::string resultJson(const MeasureResult& result) {
         runJson["summary"] = summaryJson(run.summary);
         json["runs"].push_back(std::move(runJson));
     }
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string resultCsv(const MeasureResult& result) {
@@ -165,7 +166,7 @@ std::string resultCsv(const MeasureResult& result) {
             row.update(frameJson(frame));
             appendRow(csv, sceneHead(run), row, false);
         }
-    return csv;
+    return terminalText(csv);
 }
 
 const char* facingId(Facing facing) { return facing == Facing::Front ? CULLSCOPE_TR("front") : CULLSCOPE_TR("two-sided"); }

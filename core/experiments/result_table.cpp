@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/terminal_text.h"
 #include "core/experiments/result_file.h"
 #include "core/measure/statistics.h"
 
@@ -165,7 +166,7 @@ std::optional<double> numberOf(const CellValue& value) {
 
 std::string valueText(const ResultColumn& column, const CellValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
-    if (const auto* words = std::get_if<std::string>(&value)) return *words;
+    if (const auto* words = std::get_if<std::string>(&value)) return terminalLine(*words);
     if (const auto* estimate = std::get_if<RatioEstimate>(&value)) {
         if (!estimate->hasInterval) return numberText(column, estimate->ratio);
         return numberText(column, estimate->ratio) + " [" + numberText(column, estimate->ci95[0]) + ", " +
@@ -187,7 +188,7 @@ std::string tablesJson(const std::vector<ResultTable>& tables) {
         }
         json["experiments"].push_back(tableJson(table));
     }
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string rowsCsv(const ResultTable& table) {
@@ -208,12 +209,12 @@ std::string rowsCsv(const ResultTable& table) {
         }
         csv += '\n';
     }
-    return csv;
+    return terminalText(csv);
 }
 
 std::string tableCsv(const ResultTable& table) {
     std::string csv = rowsCsv(table);
-    for (const LinePlot& plot : table.plots) csv += "\n" + plotCsv(plot);
+    for (const LinePlot& plot : table.plots) csv += "\n" + terminalText(plotCsv(plot));
     return csv;
 }
 
@@ -240,12 +241,12 @@ std::string tableText(const ResultTable& table) {
     };
     std::string text = table.experiment + ": " + table.title + "\n";
     if (!table.source.empty()) text += table.source + "\n";
-    if (table.triangles > 0) text += fmt::format("{}: {} triangles\n", table.scene, table.triangles);
+    if (table.triangles > 0) text += fmt::format("{}: {} triangles\n", terminalLine(table.scene), table.triangles);
     if (!table.gl.renderer.empty())
         text += table.gl.renderer + (table.gl.software ? " (software OpenGL: times are not a GPU's)\n" : "\n");
     text += line([&](size_t i) { return table.columns[i].title; });
     for (const auto& row : table.rows) text += line([&](size_t i) { return valueText(table.columns[i], row[i]); });
-    for (const Message& note : table.notes) text += "- " + note.english() + "\n";
+    for (const Message& note : table.notes) text += "- " + terminalLine(note.english()) + "\n";
     for (const CheckResult& check : table.checks) text += checkText(check) + "\n";
     return text;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 
 namespace cullscope {
 namespace {
@@ -142,7 +143,15 @@ struct HeadlessContext::Implementation {
 };
 
 HeadlessContext::HeadlessContext() {
+    if (tooFewThreadsForOpenGl())
+        throwInput(
+            CULLSCOPE_TR("OpenGL cannot be started, for want of threads. Close other programs, or allow this one more "
+                         "(ulimit -u)."));
     std::optional<EglContext> made = bestContext();
+    if (!made && memoryIsShort())
+        throwInput(
+            CULLSCOPE_TR("OpenGL cannot be started, for want of memory. Close other programs, or allow this one more "
+                         "(ulimit -v)."));
     if (!made)
         throwOpenGl(
             CULLSCOPE_TR("No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. "

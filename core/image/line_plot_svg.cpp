@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base/terminal_text.h"
 #include "core/image/plot_drawing.h"
 
 namespace cullscope {
@@ -31,9 +32,10 @@ PlotStyle fileStyle() {
     return style;
 }
 
+/// XML has no control characters.
 std::string escaped(const std::string& text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : terminalLine(text)) {
         if (c == '&')
             result += "&amp;";
         else if (c == '<')

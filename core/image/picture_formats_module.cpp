@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 
 namespace cullscope {
 namespace {
@@ -16,6 +17,10 @@ const PictureFormats& opened() {
         (program.parent_path() / ".." / "lib" / "cullscope" / "picture_formats.so").lexically_normal();
     void* const module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* const function = module == nullptr ? nullptr : dlsym(module, kPictureFormatsFunction);
+    if (function == nullptr && memoryIsShort())
+        throwInput(
+            CULLSCOPE_TR("Pictures cannot be written or read, for want of memory. Close other programs, or allow this one "
+                         "more (ulimit -v)."));
     if (function == nullptr)
         throwUsage(CULLSCOPE_TR("%1, which writes and reads pictures, cannot be opened: %2. Install or build Cullscope again."),
                    {file.string(), dlerror()});

@@ -8,6 +8,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/terminal_text.h"
 #include "core/mesh/load.h"
 #include "core/mesh/steps.h"
 
@@ -88,17 +89,13 @@ private:
     bool m_mirrored;
 };
 
-std::string onOneLine(std::string name) {
-    std::ranges::replace_if(
-        name, [](unsigned char c) { return c < ' '; }, '_');
-    return name.empty() ? "mesh" : name;
-}
+std::string objectName(const std::string& name) { return name.empty() ? "mesh" : plainName(name); }
 
 void writeObj(Writer& out, std::span<const PlacedMesh> meshes) {
     uint64_t first = 1;
     for (const PlacedMesh& placed : meshes) {
         const World world(placed);
-        fmt::format_to(std::back_inserter(out.text()), "o {}\n", onOneLine(placed.name));
+        fmt::format_to(std::back_inserter(out.text()), "o {}\n", objectName(placed.name));
         for (size_t vertex = 0; vertex < placed.mesh->vertexCount(); ++vertex) {
             const Vec3 p = world.position(vertex);
             const Vec3f n(world.normal(vertex));

@@ -4767,6 +4767,18 @@
         <source>Triangles whose sides change by more than a tenth, because their object is too large beside them for floats: %1. Remove what lies far away, or make it an object of its own.</source>
         <translation>객체가 삼각형에 비해 너무 커서 float로 반올림할 때 변이 10분의 1 넘게 바뀌는 삼각형: %1. 멀리 있는 것을 제거하거나 별도의 객체로 만드세요.</translation>
     </message>
+    <message>
+        <source>OpenGL cannot be started, for want of memory. Close other programs, or allow this one more (ulimit -v).</source>
+        <translation>메모리가 부족하여 OpenGL을 시작할 수 없습니다. 다른 프로그램을 닫거나 이 프로그램에 메모리를 더 허용하세요(ulimit -v).</translation>
+    </message>
+    <message>
+        <source>Pictures cannot be written or read, for want of memory. Close other programs, or allow this one more (ulimit -v).</source>
+        <translation>메모리가 부족하여 그림을 쓰거나 읽을 수 없습니다. 다른 프로그램을 닫거나 이 프로그램에 메모리를 더 허용하세요(ulimit -v).</translation>
+    </message>
+    <message>
+        <source>OpenGL cannot be started, for want of threads. Close other programs, or allow this one more (ulimit -u).</source>
+        <translation>스레드가 부족하여 OpenGL을 시작할 수 없습니다. 다른 프로그램을 닫거나 이 프로그램에 스레드를 더 허용하세요(ulimit -u).</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

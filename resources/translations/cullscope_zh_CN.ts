@@ -4767,6 +4767,18 @@
         <source>Triangles whose sides change by more than a tenth, because their object is too large beside them for floats: %1. Remove what lies far away, or make it an object of its own.</source>
         <translation>因对象相对于三角形过大，取整为 float 后边的变化超过十分之一的三角形：%1。请移除远处的部分，或将其作为单独的对象。</translation>
     </message>
+    <message>
+        <source>OpenGL cannot be started, for want of memory. Close other programs, or allow this one more (ulimit -v).</source>
+        <translation>内存不足，无法启动 OpenGL。请关闭其他程序，或允许本程序使用更多内存（ulimit -v）。</translation>
+    </message>
+    <message>
+        <source>Pictures cannot be written or read, for want of memory. Close other programs, or allow this one more (ulimit -v).</source>
+        <translation>内存不足，无法写入或读取图片。请关闭其他程序，或允许本程序使用更多内存（ulimit -v）。</translation>
+    </message>
+    <message>
+        <source>OpenGL cannot be started, for want of threads. Close other programs, or allow this one more (ulimit -u).</source>
+        <translation>线程不足，无法启动 OpenGL。请关闭其他程序，或允许本程序使用更多线程（ulimit -u）。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

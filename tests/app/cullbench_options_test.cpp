@@ -43,7 +43,11 @@ TEST_F(CullbenchContractOptions, numbersThatMeanNothingAreRefusedInAFewWords) {
 
 TEST_F(CullbenchContractOptions, emptyValuesAreRefused) {
     for (const char* option : {"--eye", "--target", "--path", "--overlay", "--size"})
-        expectRefused({"-s", "all", option, ""}, "its value is empty");
+        for (const Words& empty : {Words{option, ""}, Words{std::string(option) + "="}}) {
+            Words words{"-s", "all"};
+            words.insert(words.begin(), empty.begin(), empty.end());
+            expectRefused(words, std::string(option) + ": its value is empty");
+        }
     expectRefusal(cullbench({"measure", "sphere:triangles=20", "-s", "all", "--json", ""}), 2, "its value is empty");
 }
 

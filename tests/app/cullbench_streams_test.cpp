@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/terminal_text.h"
 #include "tests/support/cullbench_contract.h"
 
 namespace cullbench_streams_test {
@@ -126,6 +127,46 @@ TEST_F(CullbenchStreams, whatStandsInAFileDoesNotReachTheTerminalAsACommand) {
         EXPECT_THAT(result.out + result.err, Not(HasSubstr("\x1B"))) << name;
         EXPECT_THAT(result.out + result.err, HasSubstr("?")) << name;
     }
+}
+
+TEST_F(CullbenchStreams, dataOnATerminalCommandItNothing) {
+    const std::string name =
+        "name\x1B[31m\x7F\xC2\x9B"
+        "31m\n.obj";
+    std::ofstream(file(name)) << "o part\x1B[31m\x7F\xC2\x9B"
+                                 "31m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string scene = file(name);
+    const std::vector<std::string> few{"--path", "orbit:1", "--size", "16x16", "--repeat", "1"};
+    const std::vector<std::vector<std::string>> lines{{"inspect", scene, "-s", "all", "--json", "-"},
+                                                      {"inspect", scene, "-s", "all"},
+                                                      {"export", scene, "-o", "-"},
+                                                      {"measure", scene, "-s", "all", "--json", "-"},
+                                                      {"measure", scene, "-s", "all", "--csv", "-"},
+                                                      {"sweep", scene, "-s", "spherical", "--vary", "rows=45", "--svg", "-"},
+                                                      {"sweep", scene, "-s", "spherical", "--vary", "rows=45", "--json", "-"}};
+    for (std::vector<std::string> line : lines) {
+        if (line[0] == "measure" || line[0] == "sweep") line.insert(line.end(), few.begin(), few.end());
+        const ProcessResult result = cullbench(line);
+        EXPECT_EQ(result.exitStatus, 0) << line[0] << result.err;
+        // In a cell of CSV a line may end, and JSON says it with other letters.
+        EXPECT_EQ(cullscope::terminalText(result.out + result.err), result.out + result.err) << line[0];
+        if (line.back() == "-" && line[0] == "inspect") {
+            EXPECT_EQ(nlohmann::json::parse(result.out)["scene"]["name"], name) << "it is escaped, and not another one";
+        }
+    }
+}
+
+TEST_F(CullbenchStreams, aSentenceStaysOnItsLineWhateverItNames) {
+    for (const std::vector<std::string>& line : std::vector<std::vector<std::string>>{{"inspect", "a\nb", "-s", "all"},
+                                                                                      {"inspect", "./a\nb.obj", "-s", "all"},
+                                                                                      {"inspect", "quiz", "-s", "a\nb"},
+                                                                                      {"export", "quiz", "-o", "a\nb.xyz"}}) {
+        const ProcessResult result = cullbench(line);
+        EXPECT_THAT(result.err, testing::StartsWith("cullbench: "));
+        EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    }
+    const ProcessResult usage = cullbench({"list", "a\nb"});
+    EXPECT_EQ(usage.err, "cullbench: what: a?b not in {scenes,strategies,experiments}\nRun with --help for more information.\n");
 }
 
 }  // namespace

@@ -155,7 +155,7 @@ TEST_F(Window, thePictureOfALargeSceneIsTakenOnceItIsDrawn) {
     int status = -1;
     // A scene of this size is measured only when the user asks for it.
     session.open(QStringLiteral("sphere:triangles=5.1e6"));
-    WindowPicture shot(window, session, file);
+    WindowPicture shot(window, session, file.toStdString());
     QObject::connect(&shot, &WindowPicture::done, [&](int result) { status = result; });
     ASSERT_TRUE(waitUntil([&] { return status >= 0; }));
     ASSERT_EQ(status, 0);
@@ -170,7 +170,7 @@ TEST_F(Window, pictureOfTheWindowIsSaved) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
     int status = -1;
-    WindowPicture shot(window, session, file);
+    WindowPicture shot(window, session, file.toStdString());
     QObject::connect(&shot, &WindowPicture::done, [&](int result) { status = result; });
     ASSERT_TRUE(waitUntil([&] { return status >= 0; }));
     EXPECT_EQ(status, 0);

@@ -13,6 +13,9 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/base/last_words.h"
+#include "core/base/memory_limit.h"
+#include "ui/startup/abrupt_end.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -37,8 +40,10 @@ bool usualPlatform(const std::string& platform) {
 
 /// Message handler: prints one sentence when Qt calls qFatal because no platform plugin can start. Qt's warnings before are
 /// dropped.
-void endWithSentence(QtMsgType type, const QMessageLogContext&, const QString&) {
+void endWithSentence(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    endWhereQtCannotGoOn(text);
     if (type != QtFatalMsg) return;
+    if (memoryIsShort()) endForWant();
     std::fputs(usualPlatform(askedPlatform()) ? kUnreachable : kUnknownPlatform, stderr);
     std::_Exit(int(ErrorKind::OpenGl));
 }
@@ -83,12 +88,21 @@ std::unique_ptr<Application> makeApplication(int& argc, char** argv) {
 }
 
 GlInfo requireOpenGl() {
+    if (tooFewThreadsForOpenGl())
+        throwInput(QT_TRANSLATE_NOOP("core",
+                                     "OpenGL cannot be started, for want of threads. Close other programs, or allow this one "
+                                     "more (ulimit -u)."));
     QOffscreenSurface surface;
     surface.setFormat(QSurfaceFormat::defaultFormat());
     surface.create();
     QOpenGLContext context;
     context.setFormat(QSurfaceFormat::defaultFormat());
-    if (!surface.isValid() || !context.create() || !context.makeCurrent(&surface))
+    const bool made = surface.isValid() && context.create() && context.makeCurrent(&surface);
+    if (!made && memoryIsShort())
+        throwInput(QT_TRANSLATE_NOOP("core",
+                                     "OpenGL cannot be started, for want of memory. Close other programs, or allow this one more "
+                                     "(ulimit -v)."));
+    if (!made)
         throwOpenGl(QT_TRANSLATE_NOOP("core",
                                       "This display offers no OpenGL 4.5. Update the graphics driver, or use cullbench, which "
                                       "needs no display."));

@@ -10,7 +10,7 @@ namespace cullscope::ui {
 
 Recovery::Recovery(Application& application, Session& session, MainWindow& window, std::filesystem::path file)
     : QObject(&window), m_session(session), m_window(window), m_file(std::move(file)) {
-    connect(&application, &Application::eventFailed, this, &Recovery::keep);
+    connect(&application, &Application::eventFailed, this, &Recovery::keepAndSay);
 }
 
 std::filesystem::path Recovery::usualFile() {
@@ -18,22 +18,24 @@ std::filesystem::path Recovery::usualFile() {
     return std::filesystem::path(folder.toStdString()) / (std::string("kept.") + kSessionExtension);
 }
 
-void Recovery::keep(const Message& why) {
-    bool kept = false;
+bool Recovery::keep() {
+    if (!m_session.opened()) return false;
     try {
-        if (m_session.opened()) {
-            std::filesystem::create_directories(m_file.parent_path());
-            saveSession(m_file, m_window.document().opener().current({}));
-            kept = true;
-        }
+        std::filesystem::create_directories(m_file.parent_path());
+        saveSession(m_file, m_window.document().opener().current({}));
+        return true;
     } catch (const std::exception&) {
-        // The sentence below says that nothing was kept; the failure that led here is the one to be told.
+        // What led here is the failure to be told.
+        return false;
     }
+}
+
+void Recovery::keepAndSay(const Message& why) {
     m_session.raise(Severity::Error,
-                    {kept ? QT_TRANSLATE_NOOP("core",
-                                              "This failed, and Cullscope goes on: %1 The session is kept in a file that "
-                                              "the next start offers.")
-                          : QT_TRANSLATE_NOOP("core", "This failed, and Cullscope goes on: %1 Save what you need."),
+                    {keep() ? QT_TRANSLATE_NOOP("core",
+                                                "This failed, and Cullscope goes on: %1 The session is kept in a file that "
+                                                "the next start offers.")
+                            : QT_TRANSLATE_NOOP("core", "This failed, and Cullscope goes on: %1 Save what you need."),
                      {why.english()}});
 }
 

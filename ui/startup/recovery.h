@@ -23,8 +23,11 @@ public:
     /// file is removed when it was restored; until then every start offers it.
     void offer();
 
+    /// Keeps the session as it is now; returns whether it could.
+    bool keep();
+
 private:
-    void keep(const Message& why);
+    void keepAndSay(const Message& why);
     void open();
 
     Session& m_session;

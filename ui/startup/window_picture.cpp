@@ -1,8 +1,12 @@
 #include "ui/startup/window_picture.h"
 
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QImageWriter>
 #include <QPixmap>
-#include <QSaveFile>
-#include <cstdio>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
 
 namespace cullscope::ui {
 
@@ -11,9 +15,19 @@ namespace {
 constexpr int kLookInterval = 50;  // ms between two checks
 constexpr int kSettleTime = 150;   // ms that the window gets to paint its last changes
 
+/// As Qt names it.
+QByteArray formatOf(const std::filesystem::path& file) {
+    return QByteArray::fromStdString(file.extension().string()).mid(1).toLower();
+}
+
 }  // namespace
 
-WindowPicture::WindowPicture(MainWindow& window, Session& session, QString file, QObject* parent)
+void requireWindowPictureFormat(const std::filesystem::path& file) {
+    if (!QImageWriter::supportedImageFormats().contains(formatOf(file)))
+        throwUsage("--screenshot %1: name a file that ends in .png or .jpg.", {file.string()});
+}
+
+WindowPicture::WindowPicture(MainWindow& window, Session& session, std::filesystem::path file, QObject* parent)
     : QObject(parent), m_window(window), m_session(session), m_file(std::move(file)) {
     m_poll.setInterval(kLookInterval);
     connect(&m_poll, &QTimer::timeout, this, &WindowPicture::look);
@@ -42,12 +56,18 @@ void WindowPicture::take() {
         m_poll.start();
         return;
     }
-    const QByteArray format = m_file.section(QLatin1Char('.'), -1).toLatin1();
-    QSaveFile file(m_file);
-    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, format.constData()) || !file.commit()) {
-        std::fprintf(stderr,
-                     "cullscope: %s cannot be written. Name a file ending in .png or .jpg in a folder that can be written to.\n",
-                     qPrintable(m_file));
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!picture.save(&buffer, formatOf(m_file).constData())) bytes.clear();
+    if (bytes.isEmpty()) {
+        m_session.raise(Severity::Error, {QT_TRANSLATE_NOOP("core", "There is not enough memory."), {}});
+        emit done(3);
+        return;
+    }
+    try {
+        writeFileAtomically(m_file, [&](std::ostream& out) { out.write(bytes.constData(), bytes.size()); });
+    } catch (const Error& failure) {
+        m_session.raise(Severity::Error, failure.message());
         emit done(2);
         return;
     }

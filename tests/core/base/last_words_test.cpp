@@ -1,7 +1,9 @@
 #include "core/base/last_words.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <new>
 #include <thread>
 
@@ -12,11 +14,31 @@ void failing() { throw std::bad_alloc(); }
 /// A function that must not throw, as libraries have them.
 void callWithoutThrowing(void (*work)()) noexcept { work(); }
 
+/// As in a process that has used up what `ulimit -v` allows.
+void takeAwayMemory() {
+    const rlimit none{1, 1};
+    setrlimit(RLIMIT_AS, &none);
+}
+
+void crash(int signal) {
+    const rlimit withoutCoreFile{0, 0};
+    setrlimit(RLIMIT_CORE, &withoutCoreFile);
+    std::raise(signal);
+}
+
+const std::string kSaid = "base_test: It cannot go on, most likely for want of memory or threads";
+
 TEST(LastWords, whatNobodyCatchesEndsWithASentenceAndTheStatusOfInput) {
     const testing::ExitedWithCode input(3);
-    const char* said = "base_test: It cannot go on, most likely for want of memory or threads";
-    EXPECT_EXIT((endWithSentenceOnTerminate(), callWithoutThrowing(failing)), input, said);
-    EXPECT_EXIT((endWithSentenceOnTerminate(), std::thread(failing).join()), input, said);
+    EXPECT_EXIT((endWithSentenceOnTerminate(), callWithoutThrowing(failing)), input, kSaid);
+    EXPECT_EXIT((endWithSentenceOnTerminate(), std::thread(failing).join()), input, kSaid);
+}
+
+TEST(LastWords, crashesForWantOfMemoryEndWithASentenceAndOthersByTheirSignal) {
+    for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE, SIGTRAP}) {
+        EXPECT_EXIT((endWithSentenceOnWant(), takeAwayMemory(), crash(signal)), testing::ExitedWithCode(3), kSaid) << signal;
+        EXPECT_EXIT((endWithSentenceOnWant(), crash(signal)), testing::KilledBySignal(signal), "") << signal;
+    }
 }
 
 }  // namespace

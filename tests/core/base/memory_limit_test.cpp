@@ -20,5 +20,18 @@ TEST(MemoryLimit, aLimitedAddressSpaceIsPlannedWith) {
     EXPECT_EQ(memoryToPlanWith(), before);
 }
 
+TEST(MemoryLimit, isShortWhereHalfAGigabyteIsRefused) {
+    EXPECT_FALSE(memoryIsShort());
+    EXPECT_FALSE(threadsAreShort());
+    rlimit usual{};
+    ASSERT_EQ(getrlimit(RLIMIT_AS, &usual), 0);
+    rlimit limited = usual;
+    limited.rlim_cur = 1;
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &limited), 0);
+    const bool isShort = memoryIsShort();
+    ASSERT_EQ(setrlimit(RLIMIT_AS, &usual), 0);
+    EXPECT_TRUE(isShort);
+}
+
 }  // namespace
 }  // namespace cullscope

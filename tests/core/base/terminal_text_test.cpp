@@ -31,5 +31,20 @@ TEST(TerminalText, bytesThatAreNoUtf8AreQuestionMarks) {
     EXPECT_EQ(terminalText("a\xE3\x81"), "a??") << "cut off";
 }
 
+TEST(TerminalText, aLineHasNoOtherOne) { EXPECT_EQ(terminalLine("a\nb\tc\x1B[0m가"), "a?b?c?[0m가"); }
+
+TEST(TerminalText, aPlainNameKeepsTheLettersOfOtherEncodings) {
+    EXPECT_EQ(plainName("a b\nc\x1B[0m\x7F\xC2\x9B가"), "a b_c_[0m__가");
+    EXPECT_EQ(plainName("T\xFCr \x9B"
+                        "31m"),
+              "T\xFCr _31m")
+        << "a letter of Latin-1, and its control sequence introducer";
+}
+
+TEST(TerminalText, aPlainJsonSaysTheSame) {
+    EXPECT_EQ(plainJson("{\"a\": \"\\u001b 가\"}\n"), "{\"a\": \"\\u001b 가\"}\n");
+    EXPECT_EQ(plainJson("\"\x7F\xC2\x9B\""), "\"\\u007f\\u009b\"");
+}
+
 }  // namespace
 }  // namespace cullscope::terminal_text_test

@@ -168,6 +168,12 @@ TEST(LinePlot, svgIsWellFormedAndItsTextEscaped) {
     EXPECT_EQ(countOf(svg, "\"") % 2, 0u);
 }
 
+TEST(LinePlot, svgHasNoControlCharacters) {
+    LinePlot plot = plotOf({{1, 1}, {2, 20}}, PlotScale::Linear);
+    plot.title = "a\x1B[0m\nb\x7F";
+    EXPECT_THAT(linePlotsSvg({plot}), HasSubstr(">a?[0m?b?</text>"));
+}
+
 TEST(LinePlot, baselineIsGrey) {
     LinePlot plot = plotOf({{1, 1}, {2, 20}}, PlotScale::Linear);
     plot.lines.push_back(plot.lines[0]);
