@@ -18,7 +18,7 @@ using namespace cullbench_random_lines;
 using cullscope::test::CommandEnd;
 using cullscope::test::CommandLine;
 
-constexpr uint64_t kLines = 2000, kSample = 400;
+constexpr uint64_t kLines = 2000, kSample = 120;
 /// The lines are run in so many cases, which CTest spreads over processors.
 constexpr uint64_t kCases = 4;
 constexpr double kMostSeconds = 60.0;
