@@ -56,6 +56,12 @@ std::optional<PlaneFigures> planeFigures(const StrategyInfo& info, const Scene& 
     return PlaneFigures{largestDifference(*rows, used), largestDifference(*corners, used)};
 }
 
+uint64_t allOf(const std::map<std::string, uint64_t>& counts) {
+    uint64_t sum = 0;
+    for (const auto& [kind, count] : counts) sum += count;
+    return sum;
+}
+
 void runInspect(const InspectOptions& options, const Context& context) {
     const StrategyRequest request = strategiesOf({options.strategy}, options.parameters).front();
     checkOutputPlaces({options.json});
@@ -81,6 +87,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                     {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
         for (const auto& [kind, count] : scene.partCounts()) json["scene"]["primitives"][kind] = count;
+        if (const uint64_t all = allOf(scene.partCounts()); all > 0) json["scene"]["primitives_together"] = all;
         if (!structure.layout.empty()) json["layout"] = structure.layout;
         if (planes)
             for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
@@ -92,7 +99,9 @@ void runInspect(const InspectOptions& options, const Context& context) {
     if (options.json == "-") return;
     say("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
         scene.bytes());
-    for (const auto& [kind, count] : scene.partCounts()) say("  {} of kind {}\n", count, kind);
+    const std::map<std::string, uint64_t> kinds = scene.partCounts();
+    for (const auto& [kind, count] : kinds) say("  {} of kind {}\n", count, kind);
+    if (!kinds.empty()) say("  {} primitives together\n", allOf(kinds));
     say("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
         structure.buildMilliseconds, structure.bytes);
     for (const StructureReport::Figure& figure : structure.figures) say("  {} {}\n", figure.name, figure.value);

@@ -15,6 +15,7 @@ struct PlantFiguresSize {
     int manyPipelines = 50'000, viewsOfMany = 3;                            ///< from so many on, so few views
     int curvePipelines = 971;                                               ///< of the plant of the loss curve
     std::vector<double> sides{0.25, 0.5, 1, 2, 4, 8, 16};                   ///< its thresholds, in pixels
+    std::vector<double> distances{4, 8, 16, 32};                            ///< of a file's curve: pixels of the middle component
     Viewport size{1'920, 1'080};
     int repetitions = 1;  ///< of each frame (unless the user says how often)
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/experiments/plant_rows.h"
+#include "core/spatial/occupancy.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope::plants {
@@ -20,6 +21,9 @@ struct CurvePoint {
     std::string strategy;  ///< as strategyText writes it
 };
 
+/// Half a length divided by the distance, for a square of a pixel.
+double ratioOfPixel(const PlantFiguresSize& size) { return std::tan(kField.radians() / 2.0) / size.size.width; }
+
 /// The paper's thresholds are ratios of half a length to a distance: half a picture is tan θ. The bounded method counts pixels.
 std::vector<CurvePoint> curvePoints(const PlantFiguresSize& size) {
     std::vector<CurvePoint> points;
@@ -27,12 +31,35 @@ std::vector<CurvePoint> curvePoints(const PlantFiguresSize& size) {
         points.push_back({method, side, strategyText(strategyFromText(fmt::format("{}:{}={}", method, parameter, value)))});
     };
     for (const double side : size.sides) {
-        const std::string ratio = fmt::format("{:.6g}", side * std::tan(kField.radians() / 2.0) / size.size.width);
+        const std::string ratio = fmt::format("{:.6g}", side * ratioOfPixel(size));
         add(kFeature, side, "threshold", ratio);
         add(kTriangle, side, "threshold", ratio);
         add(kBounded, side, "pixels", std::to_string(int64_t(side * side)));
     }
     return points;
+}
+
+/// Views of a whole scene from four sides and from distances at which its middle component has the size of the thresholds: all of
+/// the scene may be in the picture, and small.
+CameraPath viewsNearThresholds(const Scene& scene, const PlantFiguresSize& size) {
+    std::vector<double> values;
+    const std::vector<double> all = occupancyValues(scene);
+    for (size_t i = 0; i < all.size(); ++i)
+        if (scene.meshOf(i).triangleCount() > 0) values.push_back(all[i]);
+    std::ranges::sort(values);
+    const double middle = values.empty() ? 0.0 : values[values.size() / 2];
+    CameraPath path = cameraPath("orbit:4", scene);
+    const std::vector<CameraPath::Pose> sides = std::move(path.poses);
+    path.poses.clear();
+    const Sphere& around = scene.boundingSphere();
+    for (const double side : size.distances) {
+        const double distance = std::max(1.5 * around.radius, middle / (side * ratioOfPixel(size)));
+        for (const CameraPath::Pose& pose : sides)
+            path.poses.push_back({around.centre + distance * glm::normalize(pose.eye - pose.target), around.centre, pose.up});
+        path.nearDistance = std::min(path.nearDistance, 0.01 * around.radius);
+        path.farDistance = std::max(path.farDistance, distance + 2.0 * around.radius);
+    }
+    return path;
 }
 
 Rows curveRows(const std::vector<CurvePoint>& points, const Setting& setting, const MeasureResult& result) {
@@ -71,6 +98,7 @@ Experiment curveOf(const PlantFiguresSize& size, const std::string& scene,
     common.views = [views, picture = size.size](const Scene& opened) { return withField(views(opened), picture); };
     experiment.settings = settingsOf(experiment.axes, common);
     experiment.columns = columnsOf(experiment.axes);
+    experiment.columns.back().decimals = 2;
     experiment.columns.push_back({"method", CULLSCOPE_TR("method"), Origin::Axis});
     for (const ResultColumn& column : plantColumns({}))
         for (const char* key : {"fps_overall", "ratio_to_octree", "culled_fraction", "missed_pixels", "missed_pixel_rate",
@@ -81,6 +109,7 @@ Experiment curveOf(const PlantFiguresSize& size, const std::string& scene,
                             "ratio_to_octree", "method");
     RowPlot loss = linesOf(logPlot(CULLSCOPE_TR("Loss by threshold: %1"), side, CULLSCOPE_TR("missed pixels, share")), kSide,
                            "missed_pixel_rate", "method");
+    loss.zeros = true;
     for (RowPlot* plot : {&loss, &speed}) plot->separate = {"scene"};
     experiment.plots = {std::move(loss), std::move(speed)};
     experiment.checks = {boundCheck()};
@@ -96,7 +125,7 @@ Experiment lossCurve(const PlantFiguresSize& size) {
     Experiment experiment = curveOf(size, plantOf(size.curvePipelines),
                                     [size](const Scene& scene) { return partsOfWalk(scene, size.views, size.size); });
     experiment.ofScene = [size](const std::string& scene) {
-        return curveOf(size, scene, [](const Scene& opened) { return cameraPath(defaultPathName(opened), opened); });
+        return curveOf(size, scene, [size](const Scene& opened) { return viewsNearThresholds(opened, size); });
     };
     return experiment;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cullscope {
 namespace {
@@ -63,6 +64,29 @@ void addPowers(LinePlot& plot, const std::vector<RowPlot::Power>& powers) {
     }
 }
 
+/// Places zeros a decade below the least value, where the axis says 0.
+void placeZeros(LinePlot& plot) {
+    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+    bool zeros = false;
+    for (const PlotLine& line : plot.lines)
+        for (const PlotPoint& point : line.points) {
+            zeros = zeros || point.y == 0.0;
+            if (point.y > 0.0) least = std::min(least, point.y);
+            most = std::max(most, point.y);
+        }
+    if (!zeros) return;
+    if (most == 0.0) least = most = 1.0;
+    const int first = int(std::floor(std::log10(least))), last = int(std::ceil(std::log10(most)));
+    plot.y.least = std::pow(10.0, first - 1);
+    plot.y.most = std::pow(10.0, std::max(last, first));
+    plot.y.ticks = {{plot.y.least, "0"}};
+    for (int power = first; power <= std::max(last, first); ++power)
+        plot.y.ticks.push_back({std::pow(10.0, power), plotNumber(std::pow(10.0, power))});
+    for (PlotLine& line : plot.lines)
+        for (PlotPoint& point : line.points)
+            if (point.y == 0.0) point.y = plot.y.least;
+}
+
 /// Puts values into the places %1, %2, … of the title.
 void fillTitle(LinePlot& plot, const Words& values) {
     if (values.empty()) return;
@@ -85,6 +109,7 @@ LinePlot plotOf(const RowPlot& described, const ResultTable& table, const Words&
         }
     }
     addPowers(plot, described.powers);
+    if (described.zeros) placeZeros(plot);
     return plot;
 }
 

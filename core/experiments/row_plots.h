@@ -43,6 +43,7 @@ struct RowPlot {
     std::vector<Power> powers{};
     bool namesExponents = false;  ///< a line's name ends with the exponent of its power law
     bool byX = false;             ///< a line's points are in the order of x, not of the rows
+    bool zeros = false;           ///< zeros have a place on the logarithmic y axis: a decade below the rest, with the label 0
 
     [[nodiscard]] bool ofFrames() const { return y.empty(); }
 };

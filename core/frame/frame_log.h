@@ -34,6 +34,13 @@ struct NamedFigure {
     double value = 0.0;
 };
 
+/// A parameter that a strategy moved by itself, and what it was in one frame.
+struct HeldParameter {
+    std::string key;
+    double value = 0.0;
+    std::string unit;  ///< as in its declaration
+};
+
 /// What one frame counted.
 struct FrameCounters {
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; triangles that OpenGL culls itself (back faces) are not
@@ -43,6 +50,7 @@ struct FrameCounters {
     uint64_t bytesTouched = 0;         ///< of the strategy's structures
     uint64_t workBytes = 0;            ///< memory that the frame needed besides the structure and what its commands hold
     std::vector<NamedFigure> figures;  ///< what a family counts besides
+    std::vector<HeldParameter> held;   ///< in force in place of what they are set to
 };
 
 /// What a decision found that is no number, such as where a ray ended: plain data of the family that said it, for its own shows.

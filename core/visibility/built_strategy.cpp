@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/frame/curve.h"
 #include "core/frame/named_parts.h"
@@ -22,7 +23,8 @@ void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     frame.setFacing(m_facing);
-    frame.setFrameBefore(state.frameMilliseconds);
+    // Each time is told once: that of a frame that nobody times is not the one before.
+    frame.setFrameBefore(std::exchange(state.frameMilliseconds, std::nullopt));
     m_strategy->draw(frame, *m_structure, state, m_parameters);
     const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
     frame.setCullMilliseconds(passed.count() - frame.drawingMilliseconds());

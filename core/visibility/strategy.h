@@ -129,6 +129,9 @@ struct ViewState {
     /// How long the view's last frame took, cull and draw together. Whoever times frames writes it after each (renderFrame; the
     /// desktop's pictures); none: it was not timed. The next frame is told (FrameContext::frameBeforeMilliseconds).
     std::optional<double> frameMilliseconds;
+    /// Whether the strategy, told this frame's time, may decide another one for the same view: what it remembers is not settled.
+    /// The desktop then asks for further frames while the view stands.
+    bool unsteady = false;
 
     virtual ~ViewState() = default;
     /// A state of its own with the same memory.

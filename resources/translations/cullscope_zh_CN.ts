@@ -344,6 +344,10 @@
         <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
         <translation>相对 %2 为 %1，括号内为 95 % 区间</translation>
     </message>
+    <message>
+        <source>In force, to hold the frame time: %1</source>
+        <translation>为保持帧时间而当前生效的值：%1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -6313,6 +6317,15 @@ snapping</source>
         <source>Memory</source>
         <translation>内存</translation>
     </message>
+    <message>
+        <source>– %1</source>
+        <extracomment>A kind of primitive below the row of all of them, such as &quot;box&quot;.</extracomment>
+        <translation>– %1</translation>
+    </message>
+    <message>
+        <source>Primitives</source>
+        <translation>基本体素</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ScenePanel</name>
@@ -6912,6 +6925,21 @@ snapping</source>
         <source>%1: %2 objects</source>
         <comment>a group by its name</comment>
         <translation>%1：%2 个物体</translation>
+    </message>
+    <message>
+        <source>all %1</source>
+        <comment>a box whose parts were left out for one cause</comment>
+        <translation>全部%1</translation>
+    </message>
+    <message>
+        <source>all left out</source>
+        <comment>the parts of a box</comment>
+        <translation>全部舍去</translation>
+    </message>
+    <message>
+        <source>partly kept</source>
+        <comment>a box that holds others</comment>
+        <translation>部分保留</translation>
     </message>
 </context>
 <context>

@@ -69,6 +69,28 @@ TEST(Models, sceneFactsNameTheTriangles) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST(Models, sceneFactsCountPrimitivesByKindAndAllTogether) {
+    SceneModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    const ScenePointer plant = openScene("plant:pipelines=2").scene;
+    model.setScene(plant);
+    const std::map<std::string, uint64_t> kinds = plant->partCounts();
+    ASSERT_GT(kinds.size(), 3u);
+    const int all = model.rowCount() - int(kinds.size()) - 1;
+    EXPECT_EQ(model.index(all, 0).data().toString(), QStringLiteral("Primitives"));
+    uint64_t sum = 0, last = std::numeric_limits<uint64_t>::max();
+    for (int row = all + 1; row < model.rowCount(); ++row) {
+        const QString kind = model.index(row, 0).data().toString().mid(2);
+        ASSERT_TRUE(kinds.contains(kind.toStdString())) << kind.toStdString();
+        const uint64_t count = kinds.at(kind.toStdString());
+        EXPECT_EQ(model.index(row, 1).data().toString(), countText(count));
+        EXPECT_LE(count, last) << "the most frequent first";
+        last = count;
+        sum += count;
+    }
+    EXPECT_EQ(model.index(all, 1).data().toString(), countText(sum));
+}
+
 TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
     MetricsModel model;
     ViewMetrics figures = someFigures();

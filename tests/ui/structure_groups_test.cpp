@@ -36,6 +36,34 @@ std::shared_ptr<StructureSnapshot> groupedSnapshot() {
     return snapshot;
 }
 
+TEST(StructureModel, keptGroupSaysWhatBecameOfItsLeaves) {
+    const ScenePointer scene = openScene(kField).scene;
+    StructureModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    const auto verdict = [&](auto change) {
+        auto snapshot = std::make_shared<StructureSnapshot>(*groupedSnapshot());
+        for (SnapshotNode& node : snapshot->nodes) {
+            node.culled = false;
+            if (node.parent >= 0) change(node);
+        }
+        model.setSnapshot(scene, snapshot);
+        const QModelIndex root = model.index(0, 0).siblingAtColumn(StructureModel::Verdict);
+        return root.data().toString().toStdString();
+    };
+    EXPECT_EQ(verdict([](SnapshotNode&) {}), "kept");
+    EXPECT_EQ(verdict([](SnapshotNode& node) {
+                  node.culled = true;
+                  node.cause = Cause::TooSmall;
+              }),
+              "all too small");
+    EXPECT_EQ(verdict([](SnapshotNode& node) {
+                  node.culled = true;
+                  node.cause = !node.isGroup() && node.instance % 2 == 0 ? Cause::TooSmall : Cause::OutsideFrustum;
+              }),
+              "all left out");
+    EXPECT_EQ(verdict([](SnapshotNode& node) { node.culled = !node.isGroup() && node.instance == 3; }), "partly kept");
+}
+
 TEST(StructureModel, groupStandsForNoObjectAndHasAVerdict) {
     const ScenePointer scene = openScene(kField).scene;
     StructureModel model;
@@ -49,7 +77,7 @@ TEST(StructureModel, groupStandsForNoObjectAndHasAVerdict) {
     EXPECT_EQ(culled.data().toString(), QStringLiteral("4 objects"));
     EXPECT_EQ(culled.siblingAtColumn(StructureModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
     EXPECT_EQ(culled.siblingAtColumn(StructureModel::Plane).data().toString(), QStringLiteral("top plane"));
-    EXPECT_EQ(root.siblingAtColumn(StructureModel::Verdict).data().toString(), QStringLiteral("kept"));
+    EXPECT_EQ(root.siblingAtColumn(StructureModel::Verdict).data().toString(), QStringLiteral("partly kept"));
     EXPECT_FALSE(model.instanceAt(root) || model.instanceAt(culled));
     for (uint32_t i = 0; i < 16; ++i) {
         const QModelIndex index = model.indexOfInstance(i);

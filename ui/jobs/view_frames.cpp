@@ -24,6 +24,7 @@ const ViewFrames::Compared* ViewFrames::Memory::newest(const BuiltStrategyPointe
 ViewFramePointer ViewFrames::of(const FrameRequest& request, Renderer& renderer) {
     Memory& memory = m_views[request.view];
     if (memory.frame && memory.frame->request.sameFrame(request)) return memory.frame;
+    if (memory.frame && memory.frame->request.laterTurnOf(request)) return memory.frame;
     if (const auto known = memory.find(request); known != memory.compared.end() && memory.follows(*known)) {
         memory.frame = known->frame.lock();
         memory.before = std::move(known->before);
@@ -125,6 +126,7 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& stat
         throw;
     }
     frame->log = context.take();
+    frame->unsteady = state.unsteady;
     end(request.view, true);
     return frame;
 }

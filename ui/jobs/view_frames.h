@@ -22,11 +22,19 @@ struct FrameRequest {
     BuiltStrategyPointer strategy;
     Camera culling;
     Viewport size;
-    int view = 0;  ///< whose memory it has
+    int view = 0;       ///< whose memory it has
+    uint32_t turn = 0;  ///< of frames of one view that stands, which of them (ViewState::unsteady)
 
     /// Whether it is the same frame. How the scene was uploaded decides nothing.
     [[nodiscard]] bool sameFrame(const FrameRequest& other) const {
-        return strategy == other.strategy && culling == other.culling && size == other.size && view == other.view;
+        return strategy == other.strategy && culling == other.culling && size == other.size && view == other.view &&
+               turn == other.turn;
+    }
+    /// Whether it is a later frame of the same view, which stands.
+    [[nodiscard]] bool laterTurnOf(FrameRequest other) const {
+        if (turn <= other.turn) return false;
+        other.turn = turn;
+        return sameFrame(other);
     }
 };
 
@@ -34,6 +42,7 @@ struct FrameRequest {
 struct ViewFrame {
     FrameRequest request;
     FrameLog log;
+    bool unsteady = false;  ///< the view's next frame may be another one, although nothing changes (ViewState::unsteady)
 };
 using ViewFramePointer = std::shared_ptr<const ViewFrame>;
 
@@ -51,8 +60,9 @@ struct LogPlace {
 /// The frames of the views, each decided once, with each view's memory. Used on the GPU thread, but for what says otherwise.
 class ViewFrames {
 public:
-    /// The view's frame, decided here if its newest one is another. Its decisions are always recorded, so that whatever reads
-    /// them later finds them in the frame that is shown. Throws what core throws.
+    /// The view's frame, decided here if its newest one is another; the newest one where it is a later turn of the same. Its
+    /// decisions are always recorded, so that whatever reads them later finds them in the frame that is shown. Throws what core
+    /// throws.
     [[nodiscard]] ViewFramePointer of(const FrameRequest& request, Renderer& renderer);
     /// The frame of a view that the picture of another view is compared with. The view need not be shown, or show that frame yet:
     /// then it is decided here, with the memory that the view's next frame would have, and it becomes the view's own frame where

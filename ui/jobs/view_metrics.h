@@ -12,6 +12,7 @@ struct MetricsSubject {
     BuiltStrategyPointer strategy;
     Camera culling;
     Viewport size;
+    uint32_t turn = 0;  ///< FrameRequest::turn
 
     bool operator==(const MetricsSubject&) const = default;
 };

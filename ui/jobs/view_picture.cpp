@@ -61,6 +61,19 @@ ViewFramePointer shownFrame(const ViewRequest& request, const ViewFramePointer& 
 
 }  // namespace
 
+namespace {
+
+/// How long OpenGL takes with it.
+template <typename Draw>
+double millisecondsOf(const Draw& draw) {
+    const auto start = std::chrono::steady_clock::now();
+    draw();
+    waitForGpu();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
 QColor addedPixelColour() { return QColor::fromRgb(kAddedColour); }
 
 Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
@@ -100,8 +113,10 @@ PictureDrawing::PictureDrawing(const ViewRequest& request, const ViewFramePointe
 
 void PictureDrawing::draw(Renderer& renderer, Framebuffer& target) {
     const ViewRequest& request = m_picture->request;
-    drawViewPicture(renderer, *request.buffers, *request.strategy, log(), m_viewing, m_states.get(), request.look, request.style,
-                    target);
+    m_milliseconds += millisecondsOf([&] {
+        drawViewPicture(renderer, *request.buffers, *request.strategy, log(), m_viewing, m_states.get(), request.look,
+                        request.style, target);
+    });
     copyTile(target.readColour(), target.tile(), m_picture->colour);
     copyTile(target.readDepth(), target.tile(), m_picture->depth, request.size.width);
     if (m_truth || m_other) drawBeside(renderer, target);
@@ -159,14 +174,24 @@ ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
     const ViewFramePointer other = request.other ? m_frames->ofOther(request.otherFrame(), renderer()) : nullptr;
     PictureDrawing drawing(request, frame, other);
     Framebuffer& into = target(request.size);
-    const auto start = std::chrono::steady_clock::now();
     drawing.draw(renderer(), into);
-    const std::chrono::duration<double, std::milli> drawn = std::chrono::steady_clock::now() - start;
-    // The frame's own picture and nothing else: not from another place, of a part of it, beside another one, or in colours.
-    const bool itself = request.viewing == request.culling && !request.upTo && !request.unanswered;
-    if (itself && request.look == ViewLook{} && request.wipe == Wipe::Mode::None)
-        m_frames->took(request.frame(), frame->log.cullMilliseconds + drawn.count());
-    return drawing.finish(kMarkReach);
+    const std::optional<double> drawn = drawingTime(request, *frame, drawing);
+    if (drawn) m_frames->took(request.frame(), frame->log.cullMilliseconds + *drawn);
+    const std::shared_ptr<ViewPicture> picture = drawing.finish(kMarkReach);
+    picture->timed = drawn.has_value();
+    return picture;
+}
+
+std::optional<double> ViewPictureDrawer::drawingTime(const ViewRequest& request, const ViewFrame& frame,
+                                                     const PictureDrawing& drawing) {
+    if (request.upTo || request.unanswered) return std::nullopt;
+    // The frame's own picture and nothing else: not from another place, or in colours.
+    if (request.viewing == request.culling && request.look == ViewLook{}) return drawing.milliseconds();
+    if (!frame.unsteady || !(request.size == request.cullingSize)) return std::nullopt;
+    return millisecondsOf([&] {
+        renderer().draw(*request.buffers, View(request.culling, request.cullingSize), frame.log, target(request.size),
+                        request.style);
+    });
 }
 
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {

@@ -23,7 +23,8 @@ struct ViewRequest {
     BuiltStrategyPointer strategy;
     Camera culling;
     Viewport cullingSize;
-    int culledBy = 0;  ///< the view whose frame the picture replays
+    int culledBy = 0;   ///< the view whose frame the picture replays
+    uint32_t turn = 0;  ///< and which of its frames while it stands
     Camera viewing;
     Viewport size;
     ViewLook look;
@@ -32,13 +33,14 @@ struct ViewRequest {
     Wipe::Mode wipe = Wipe::Mode::None;
     BuiltStrategyPointer other;      ///< the other strategy in Wipe::Mode::OtherView and Difference
     int otherView = 0;               ///< with `other`: the view that it is the strategy of
+    uint32_t otherTurn = 0;          ///< and which of its frames
     std::optional<LogPlace> upTo{};  ///< where a replay of the frame stops; none: at its end
     bool unanswered = false;         ///< all triangles are shown in place of the frame: what a strategy decided is not told yet
 
     [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scenePointer() == buffers->scenePointer(); }
     /// The frame that the picture replays, and the one beside which it is shown (with `other`).
-    [[nodiscard]] FrameRequest frame() const { return {buffers, strategy, culling, cullingSize, culledBy}; }
-    [[nodiscard]] FrameRequest otherFrame() const { return {buffers, other, culling, cullingSize, otherView}; }
+    [[nodiscard]] FrameRequest frame() const { return {buffers, strategy, culling, cullingSize, culledBy, turn}; }
+    [[nodiscard]] FrameRequest otherFrame() const { return {buffers, other, culling, cullingSize, otherView, otherTurn}; }
     bool operator==(const ViewRequest&) const = default;
 };
 
@@ -54,6 +56,7 @@ struct ViewPicture {
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
     uint64_t missed = 0, added = 0;    ///< pixels at which `colour` shows a farther or a nearer surface than `other`
     uint64_t consideredTriangles = 0;  ///< triangles submitted to OpenGL
+    bool timed = false;                ///< the view's next frame was told how long this one took
     PlaneCounts planes;                ///< counts of boxes by plane, if boxes are coloured by plane
     bool partOfModel = false;          ///< in spherical coordinates: the strategy submitted only a part of the shown object
 };
@@ -75,6 +78,8 @@ public:
     [[nodiscard]] std::shared_ptr<ViewPicture> finish(int reach);
 
     [[nodiscard]] const FrameLog& log() const { return m_picture->frame->log; }
+    /// How long the drawing took so far, without what is drawn beside and without reading pictures.
+    [[nodiscard]] double milliseconds() const { return m_milliseconds; }
     /// Null if the picture is not coloured by verdict.
     [[nodiscard]] const TriangleStatesPointer& states() const { return m_states; }
 
@@ -91,6 +96,7 @@ private:
     std::optional<DrawList> m_truth;  ///< what is drawn beside the picture: all triangles,
     ViewFramePointer m_other;         ///< or another frame
     std::vector<PixelDifference> m_differences;
+    double m_milliseconds = 0.0;
 };
 
 /// Draws on the thread whose context is current. Throws what core throws.
@@ -118,6 +124,9 @@ private:
     /// The one of all pictures: a view's memory may hold questions whose answers only their renderer knows.
     Renderer& renderer() { return m_gpu.renderer(); }
     Framebuffer& target(const Viewport& size);
+    /// How long the frame takes to be drawn; none: its picture shows a part of it, or something else.
+    [[nodiscard]] std::optional<double> drawingTime(const ViewRequest& request, const ViewFrame& frame,
+                                                    const PictureDrawing& drawing);
 
     GpuThread& m_gpu;
     ViewFramesPointer m_frames;

@@ -58,6 +58,17 @@ QIcon verdictIcon(TriangleState state) {
         2);
 }
 
+QIcon verdictIcon(TriangleState left, TriangleState right) {
+    return paintedIcon(
+        [left, right](QPainter& painter, const QRectF& place) {
+            const QPalette palette = QGuiApplication::palette();
+            const QPointF middle(place.width() / 2.0, place.height());
+            drawVerdictSwatch(painter, QRectF(place.topLeft(), place.topLeft() + middle), left, palette);
+            drawVerdictSwatch(painter, QRectF(place.topRight() - QPointF(middle.x(), 0.0), place.bottomRight()), right, palette);
+        },
+        2);
+}
+
 VerdictSwatch::VerdictSwatch(TriangleState state, QWidget* parent) : QWidget(parent), m_state(state) {
     setFixedSize(kSwatchSize, kSwatchSize);
 }

@@ -18,6 +18,8 @@ void drawVerdictSwatch(QPainter& painter, const QRectF& place, TriangleState sta
 
 /// The same rectangle as an icon that follows the application's palette.
 [[nodiscard]] QIcon verdictIcon(TriangleState state);
+/// One for what has parts of both states.
+[[nodiscard]] QIcon verdictIcon(TriangleState left, TriangleState right);
 
 /// The same rectangle as a widget of 14 × 14 pixels.
 class VerdictSwatch : public QWidget {

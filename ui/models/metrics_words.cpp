@@ -1,12 +1,22 @@
 #include "ui/models/metrics_words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QStringList>
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
+
+QString heldWords(const FrameLog& log) {
+    QStringList words;
+    for (const HeldParameter& held : log.counters.held)
+        words << QStringLiteral("%1 %2%3").arg(
+            QString::fromStdString(held.key), QLocale().toString(held.value, 'g', 3),
+            held.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(held.unit));
+    return words.join(QStringLiteral(" · "));
+}
 
 QString metricsLine(const ViewMetrics& figures) {
     switch (figures.state) {
@@ -23,8 +33,10 @@ QString metricsLine(const ViewMetrics& figures) {
     }
     const QString speed = figures.speedup ? speedText(*figures.speedup) : QStringLiteral("×…");
     //: Line 2 of a view's header: speed against the baseline, share of the triangles submitted, missed pixels.
-    return QCoreApplication::translate("Wording", "%1 · %2 % · %3 missed")
-        .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
+    const QString line = QCoreApplication::translate("Wording", "%1 · %2 % · %3 missed")
+                             .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
+    const QString held = figures.frame ? heldWords(figures.frame->log) : QString();
+    return held.isEmpty() ? line : line + QStringLiteral(" · ") + held;
 }
 
 QString speedSentence(const RatioEstimate& speed) {
@@ -56,6 +68,9 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
                      .arg(countText(figures.submitted.triangles), countText(figures.sceneTriangles),
                           countText(figures.accuracy.visibleTriangles))
               << missedSentence(figures);
+        if (figures.frame && !figures.frame->log.counters.held.empty())
+            lines << QCoreApplication::translate("Wording", "In force, to hold the frame time: %1")
+                         .arg(heldWords(figures.frame->log));
         if (figures.submitted.fragments > 0) lines << fragmentsSentence(figures.submitted);
         if (figures.missedBeyondSnapping)
             lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")

@@ -7,7 +7,9 @@
 
 namespace cullscope::ui {
 
-/// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`; "…" while the metrics are stale.
+/// The parameters that a frame's strategy moves by itself, with their values: `threshold 0.004 · outline 15 %`; empty: none.
+[[nodiscard]] QString heldWords(const FrameLog& log);
+/// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`, behind it the words above; "…" while the metrics are stale.
 [[nodiscard]] QString metricsLine(const ViewMetrics& figures);
 /// How many of the covered pixels are missed, and the largest hole. Of figures that are ready.
 [[nodiscard]] QString missedSentence(const ViewMetrics& figures);

@@ -1,7 +1,10 @@
 #include "ui/models/scene_model.h"
 
 #include <QLocale>
+#include <algorithm>
+#include <functional>
 
+#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -9,10 +12,22 @@ namespace cullscope::ui {
 void SceneModel::setScene(const ScenePointer& scene) {
     beginResetModel();
     m_scene = scene;
+    m_kinds.clear();
+    if (scene)
+        for (const auto& [kind, count] : scene->partCounts()) m_kinds.emplace_back(kind, count);
+    std::ranges::stable_sort(m_kinds, std::greater<>(), [](const auto& kind) { return kind.second; });
     endResetModel();
 }
 
-int SceneModel::rowCount(const QModelIndex& parent) const { return parent.isValid() || !m_scene ? 0 : RowCount; }
+int SceneModel::rowCount(const QModelIndex& parent) const {
+    if (parent.isValid() || !m_scene) return 0;
+    return m_kinds.empty() ? Primitives : RowCount + int(m_kinds.size());
+}
+
+QString SceneModel::rowTitle(int row) const {
+    //: A kind of primitive below the row of all of them, such as "box".
+    return isKind(row) ? tr("– %1").arg(translated(m_kinds[size_t(row - RowCount)].first.c_str())) : title(row);
+}
 
 QString SceneModel::title(int row) {
     switch (row) {
@@ -30,12 +45,15 @@ QString SceneModel::title(int row) {
             return tr("Size");
         case Memory:
             return tr("Memory");
+        case Primitives:
+            return tr("Primitives");
         default:
             return {};
     }
 }
 
 QString SceneModel::value(int row) const {
+    if (isKind(row)) return countText(m_kinds[size_t(row - RowCount)].second);
     switch (row) {
         case Name:
             return QString::fromStdString(m_scene->name());
@@ -58,6 +76,11 @@ QString SceneModel::value(int row) const {
         }
         case Memory:
             return bytesText(m_scene->bytes());
+        case Primitives: {
+            uint64_t sum = 0;
+            for (const auto& [kind, count] : m_kinds) sum += count;
+            return countText(sum);
+        }
         default:
             return {};
     }
@@ -65,8 +88,8 @@ QString SceneModel::value(int row) const {
 
 QVariant SceneModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-    if (role == Qt::DisplayRole) return index.column() == 0 ? title(index.row()) : value(index.row());
-    if (role == Qt::ToolTipRole) return QStringLiteral("%1: %2").arg(title(index.row()), value(index.row()));
+    if (role == Qt::DisplayRole) return index.column() == 0 ? rowTitle(index.row()) : value(index.row());
+    if (role == Qt::ToolTipRole) return QStringLiteral("%1: %2").arg(rowTitle(index.row()), value(index.row()));
     if (role == Qt::TextAlignmentRole)
         return int(index.column() == 0 ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignRight | Qt::AlignVCenter);
     return {};

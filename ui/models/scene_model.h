@@ -1,13 +1,16 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/scene/scene.h"
 
 namespace cullscope::ui {
 
-/// The properties of a scene: names in column 0, values in column 1.
+/// The properties of a scene: names in column 0, values in column 1. Of one that was modelled of primitives also their number by
+/// kind, and all together.
 class SceneModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -23,12 +26,16 @@ public:
     void retranslate();
 
 private:
-    enum Row { Name, Triangles, Vertices, Objects, Meshes, Size, Memory, RowCount };
+    enum Row { Name, Triangles, Vertices, Objects, Meshes, Size, Memory, Primitives, RowCount };
+    /// Rows behind the fixed ones: a kind of primitive each. Without primitives there is no row of them.
+    [[nodiscard]] bool isKind(int row) const { return row >= RowCount; }
+    [[nodiscard]] QString rowTitle(int row) const;
 
     [[nodiscard]] static QString title(int row);
     [[nodiscard]] QString value(int row) const;
 
     ScenePointer m_scene;
+    std::vector<std::pair<std::string, uint64_t>> m_kinds;  ///< of primitives with their numbers, the most frequent first
 };
 
 }  // namespace cullscope::ui

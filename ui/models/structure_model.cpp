@@ -1,6 +1,7 @@
 #include "ui/models/structure_model.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/visibility/triangle_states.h"
 #include "ui/look/plane_swatch.h"
@@ -34,6 +35,7 @@ void StructureModel::setSnapshot(const ScenePointer& scene, const std::shared_pt
     if (scene != m_scene) m_states = nullptr;
     if (snapshot && m_snapshot && scene == m_scene && sameBoxes(*snapshot, *m_snapshot)) {
         m_snapshot = snapshot;
+        countBelow();
         tellOfData();
         return;
     }
@@ -72,6 +74,47 @@ void StructureModel::layOut() {
         m_children[m_firstChild[place(m_snapshot->nodes[node].parent)] + m_rowOfNode[node]] = uint32_t(node);
     for (size_t node = count; node-- > 0;)
         if (!holdsOthers(node)) m_nodeOfInstance[m_snapshot->nodes[node].instance] = int64_t(node);
+    countBelow();
+}
+
+void StructureModel::countBelow() {
+    const size_t count = m_snapshot ? m_snapshot->nodes.size() : 0;
+    m_below.assign(count, {});
+    for (size_t node = 0; node < count; ++node) {
+        if (childCount(place(int64_t(node))) > 0) continue;
+        const SnapshotNode& last = m_snapshot->nodes[node];
+        for (int32_t above = last.parent; above >= 0; above = m_snapshot->nodes[size_t(above)].parent) {
+            Below& below = m_below[size_t(above)];
+            ++below.boxes;
+            if (!last.culled) continue;
+            ++below.leftOut;
+            below.causes |= 1U << unsigned(last.cause);
+        }
+    }
+}
+
+std::optional<Cause> StructureModel::causeOfAll(size_t node) const {
+    const Below& below = m_below[node];
+    if (below.boxes == 0 || below.leftOut < below.boxes || !std::has_single_bit(below.causes)) return std::nullopt;
+    return Cause(std::countr_zero(below.causes));
+}
+
+QString StructureModel::keptText(size_t node) const {
+    const Below& below = m_below[node];
+    if (const std::optional<Cause> cause = causeOfAll(node))
+        return tr("all %1", "a box whose parts were left out for one cause").arg(translated(causeName(*cause)));
+    if (below.boxes > 0 && below.leftOut == below.boxes) return tr("all left out", "the parts of a box");
+    if (below.leftOut > 0) return tr("partly kept", "a box that holds others");
+    return tr("kept", "a box that holds others");
+}
+
+QIcon StructureModel::verdictIconOf(size_t node) const {
+    const SnapshotNode& box = m_snapshot->nodes[node];
+    const Below& below = m_below[node];
+    if (box.culled || below.leftOut == 0) return verdictIcon(stateAgainstTruth(box, node).value_or(stateOf(box)));
+    // Of several causes the first, as in their order.
+    const TriangleState left = stateOfCause(Cause(std::countr_zero(below.causes)));
+    return below.leftOut == below.boxes ? verdictIcon(left) : verdictIcon(TriangleState::Visible, left);
 }
 
 bool StructureModel::holdsOthers(size_t node) const {
@@ -147,7 +190,7 @@ QString StructureModel::text(const SnapshotNode& node, size_t number, int column
         case Verdict:
             if (node.culled) return translated(causeName(node.cause));
             if (const auto state = stateAgainstTruth(node, number)) return translated(triangleStateName(*state));
-            return holdsOthers(number) ? tr("kept", "a box that holds others") : tr("submitted");
+            return holdsOthers(number) ? keptText(number) : tr("submitted");
         case Plane:
             if (node.rejectedBy) return translated(planeName(*node.rejectedBy));
             return rejectedByFrustum(node) ? tr("no single plane", "has a group outside") : QString();
@@ -162,8 +205,7 @@ QVariant StructureModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole && index.column() == Name)
         return tr("%1: %2 triangles", "an object or a group").arg(text(node, nodeOf(index), Name), countText(node.triangles));
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(node, nodeOf(index), index.column());
-    if (role == Qt::DecorationRole && index.column() == Verdict)
-        return verdictIcon(stateAgainstTruth(node, nodeOf(index)).value_or(stateOf(node)));
+    if (role == Qt::DecorationRole && index.column() == Verdict) return verdictIconOf(nodeOf(index));
     if (role == Qt::DecorationRole && index.column() == Plane && node.rejectedBy) return planeIcon(*node.rejectedBy);
     if (role == Qt::TextAlignmentRole && index.column() == Triangles) return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};

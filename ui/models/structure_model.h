@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractItemModel>
+#include <QIcon>
 #include <memory>
 #include <vector>
 
@@ -59,6 +60,16 @@ private:
     [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
     /// The state of a box that was kept and holds one object; none: not known.
     [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const SnapshotNode& node, size_t number) const;
+    /// What became of the boxes below one that was kept and that have no others below them.
+    struct Below {
+        uint32_t boxes = 0, leftOut = 0;
+        uint32_t causes = 0;  ///< of those left out, as bits
+    };
+    void countBelow();
+    /// The cause by which everything below a kept box was left out; none: not everything was, or by several causes.
+    [[nodiscard]] std::optional<Cause> causeOfAll(size_t node) const;
+    [[nodiscard]] QString keptText(size_t node) const;
+    [[nodiscard]] QIcon verdictIconOf(size_t node) const;
     /// What a group with a name is called.
     [[nodiscard]] QString namedText(const SnapshotNode& node) const;
     [[nodiscard]] QString text(const SnapshotNode& node, size_t number, int column) const;
@@ -73,6 +84,7 @@ private:
     std::vector<uint32_t> m_firstChild;
     std::vector<uint32_t> m_children;
     std::vector<uint32_t> m_rowOfNode;
+    std::vector<Below> m_below;             ///< by node
     std::vector<int64_t> m_nodeOfInstance;  ///< by instance: its first leaf; -1: none
 };
 

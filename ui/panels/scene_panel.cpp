@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/look/wheel_guard.h"
 #include "ui/panels/split_dialog.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kFactHeight = 18;
 constexpr int kReportHeight = 84;
+constexpr int kMostFacts = 14;
 
 }  // namespace
 
@@ -56,7 +58,7 @@ void ScenePanel::setUpFacts() {
     m_facts->setSelectionMode(QAbstractItemView::NoSelection);
     m_facts->setTabKeyNavigation(false);
     m_facts->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_facts->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_facts->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     m_facts->setWordWrap(false);
     m_facts->horizontalHeader()->hide();
     m_facts->verticalHeader()->hide();
@@ -135,7 +137,8 @@ void ScenePanel::refresh() {
     m_sentences->setVisible(reported);
     // A clean file needs room for one sentence; a longer report scrolls.
     m_sentences->setFixedHeight(m_report->clean() ? kReportHeight / 3 : kReportHeight);
-    m_facts->setFixedHeight(m_scene->rowCount() * kFactHeight + 2);
+    // A plant of many kinds scrolls.
+    m_facts->setFixedHeight(std::min(m_scene->rowCount(), kMostFacts) * kFactHeight + 2);
     showUp();
     // Offer to split a scene of one object: strategies that cull objects have nothing to cull in it.
     m_split->setVisible(opened && opened->scene->instances().size() == 1);

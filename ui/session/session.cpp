@@ -95,10 +95,12 @@ void Session::makeGraphics() {
     connect(m_pictures.get(), &PictureMaker::pictureMade, this, [this](int view) {
         m_views[size_t(view)].complained = false;
         emit pictureChanged(view);
+        goOnSettling();
     });
     connect(m_pictures.get(), &PictureMaker::failed, this, [this](int view, const Message& message) {
         emit pictureChanged(view);
         if (!std::exchange(m_views[size_t(view)].complained, true)) raise(Severity::Error, message);
+        goOnSettling();
     });
 }
 
@@ -294,6 +296,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.culling = subject->culling;
     request.cullingSize = subject->size;
     request.culledBy = culling;
+    request.turn = subject->turn;
     request.viewing = viewingCamera(view);
     request.size = size;
     request.look = setup(view).look;
@@ -305,6 +308,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference) {
         request.otherView = culledBy(wipe.other);
         request.other = slot(request.otherView).built();
+        request.otherTurn = m_views[size_t(request.otherView)].turn;
     }
     if (request.look.inPlace()) {
         // What stands in place of the whole picture: no comparison and no other overlay.
@@ -320,32 +324,6 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
 void Session::update() {
     if (m_pictures) m_pictures->update(m_activeView);
     updateFigures();
-}
-
-// ---- Picking
-
-void Session::setPick(const std::optional<Pick>& pick) {
-    if (m_pictures) m_pictures->cancelPick();
-    setGroup(std::nullopt);
-    if (pick == m_pick) return;
-    m_pick = pick;
-    emit pickChanged();
-}
-
-void Session::pickAt(int view, int x, int y) {
-    const std::optional<ViewRequest> request = viewRequest(view);
-    if (!request) return;
-    m_pictures->pick(*request, x, y, [this, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
-        // A scene that changed meanwhile numbers its triangles in another way.
-        if (m_scene != request.buffers->scenePointer()) return;
-        if (m_question) return picked ? nameInQuestion(picked->triangle, picked->point) : void();
-        if (!picked) return setPick(std::nullopt);
-        const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
-        const uint32_t object = objectOf(instance);
-        const uint64_t within = picked->triangle - m_scene->firstTriangle(instance);
-        setPick(Pick{object, m_opened->scene->firstTriangle(object) + within, picked->point});
-        emit pickedInPicture(view);
-    });
 }
 
 }  // namespace cullscope::ui

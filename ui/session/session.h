@@ -249,13 +249,24 @@ signals:
     void messageRaised(cullscope::ui::Severity severity, const cullscope::Message& message);
 
 private:
+    /// What a view's frames are decided from while it stands. Keeps nothing alive: `strategy` is compared alone.
+    struct Stand {
+        const BuiltStrategy* strategy = nullptr;
+        Camera culling;
+        Viewport size;
+
+        bool operator==(const Stand&) const = default;
+    };
     struct ViewState {
         std::unique_ptr<StrategySlot> slot;
         ViewSetup setup;
         Viewport viewport{0, 0};
         Camera firstWatch;  ///< Observer: the viewing camera that observe() set
         ViewMetrics figures;
-        bool complained = false;  ///< a drawing error was reported and no picture was drawn since
+        uint32_t turn = 0;              ///< FrameRequest::turn
+        uint32_t turns = 0;             ///< made since the view stands where it does
+        std::optional<Stand> standsAt;  ///< where the view was when it came to rest
+        bool complained = false;        ///< a drawing error was reported and no picture was drawn since
     };
 
     void makeGraphics();
@@ -281,6 +292,12 @@ private:
     [[nodiscard]] std::optional<MetricsSubject> subject(int view) const;
     void setFigures(int view, const ViewMetrics& figures);
     void measure(bool asked);
+    // Views that stand (session_settling.cpp)
+    [[nodiscard]] std::optional<Stand> standOf(int view) const;
+    void comeToRest();
+    /// Asks for the next frame of each view that stands and whose shown frame is not settled; returns whether one is awaited.
+    bool letSettle();
+    void goOnSettling();  ///< a picture was made, or could not be
     /// Adds the views, frozen ones aside, whose metrics are known and that have the camera and size of one of the subjects.
     void addTimedViews(std::vector<ViewMeter::Subject>& subjects) const;
 

@@ -23,7 +23,7 @@ std::optional<MetricsSubject> Session::subject(int view) const {
         if (shown(other) && culledBy(other) == view) size = renderSize(other);
     if (!uploaded || !built || built->scenePointer() != uploaded->scenePointer() || size.width < 1 || size.height < 1)
         return std::nullopt;
-    return MetricsSubject{uploaded, built, cullingCamera(view), size};
+    return MetricsSubject{uploaded, built, cullingCamera(view), size, m_views[size_t(view)].turn};
 }
 
 ViewMetrics Session::figuresWithoutMeasuring() const {
@@ -82,6 +82,9 @@ void Session::setMeasuring(bool measuring) {
 
 void Session::measure(bool asked) {
     if (!m_meter || !m_opened || !m_measuring) return;
+    comeToRest();
+    // The figures are those of the frame that stays.
+    if (letSettle()) return;
     const bool large = m_scene->triangleCount() > kOptionalAnalysisLimit;
     std::vector<ViewMeter::Subject> subjects;
     for (const int view : measuredViews()) {

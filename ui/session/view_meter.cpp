@@ -11,7 +11,7 @@ namespace cullscope::ui {
 namespace {
 
 FrameRequest requestOf(int view, const MetricsSubject& what) {
-    return {what.buffers, what.strategy, what.culling, what.size, view};
+    return {what.buffers, what.strategy, what.culling, what.size, view, what.turn};
 }
 
 ViewMetrics failure(const Message& message, const MetricsSubject& subject) {

@@ -13,20 +13,13 @@
 #include "core/visibility/small_feature/frame_budget.h"
 #include "core/visibility/small_feature/occupancy_bars.h"
 #include "core/visibility/small_feature/outline_overlay.h"
+#include "core/visibility/small_feature/small_feature_parameters.h"
 
 namespace cullscope::small_feature {
 namespace {
 
-constexpr const char* kOutline = "outline";
-constexpr const char* kThreshold = "threshold";
-constexpr const char* kOutlineLevels = "outline-levels";
-constexpr const char* kDetailLevels = "detail-levels";
-constexpr const char* kHoldFps = "hold-fps";
 /// Where a held frame time begins with a threshold of 0, which no factor raises.
 constexpr double kLeastHeldThreshold = 1e-4;
-
-/// The lines of the listing (featureListing).
-enum class FeatureLine : uint8_t { Trees = 1, Planes, Outside, Large, Value, TooSmall, Draw };
 
 constexpr OctreeWalkLines kFeatureLines{.groupPlanes = uint8_t(FeatureLine::Planes),
                                         .groupAxes = uint8_t(FeatureLine::Planes),
@@ -69,6 +62,7 @@ struct FeatureTrees : Structure {
 /// What the view was in the frame before.
 struct LastFrame : ViewState {
     std::optional<Camera> camera;
+    Viewport size;
     FrameBudget budget;  ///< with hold-fps
     bool whole = false;  ///< everything was drawn: its time says nothing of the culling
 
@@ -127,6 +121,7 @@ public:
         if (m_force.held) {
             counted.figures.push_back({"threshold_in_force", m_force.threshold});
             counted.figures.push_back({"outline_in_force_percent", m_force.outline});
+            counted.held = {{kThreshold, m_force.threshold, ""}, {kOutline, m_force.outline, "%"}};
         }
         return list;
     }
@@ -195,11 +190,7 @@ public:
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
                                                     const Structure& structure, const FrameLog& log) const override {
         if (id != kOutlineShow) return {};
-        const GroupTree large = own(structure).largeTree(false), small = own(structure).smallTree(false);
-        return outlineOverlay(context, log, [&](uint32_t number) -> OutlineLeaf {
-            if (number < small.firstNumber) return {true, large.boxOf(number)};
-            return {false, small.boxOf(number - small.firstNumber)};
-        });
+        return outlineOverlay(context, log, own(structure).smallTree(false));
     }
 
 protected:
@@ -233,13 +224,15 @@ protected:
     }
 
     void decide(FrameContext& frame, const FeatureTrees& trees, LastFrame& last, const ParameterSet& parameters) const override {
-        const bool resting = last.camera == frame.view().camera();
+        const bool resting = last.camera == frame.view().camera() && last.size == frame.view().viewport();
         last.camera = frame.view().camera();
+        last.size = frame.view().viewport();
         const bool whole = parameters.choice("at-rest") == "whole" && resting;
         const double fps = parameters.real(kHoldFps);
         const std::optional<double> took = frame.frameBeforeMilliseconds();
-        if (fps > 0.0 && took && !last.whole) last.budget.follow(*took, 1000.0 / fps);
+        if (fps > 0.0 && took && !last.whole) last.budget.follow(*took, 1000.0 / fps, resting);
         last.whole = whole;
+        last.unsteady = fps > 0.0 && !whole && !(resting && last.budget.steady());
         const InForce force = inForce(trees, last, parameters);
         sayBegin(frame, uint8_t(FeatureLine::Trees),
                  whole ? CULLSCOPE_TR("The camera rests: %1 components of the outline and %2 others, none of them too small.")
@@ -284,64 +277,6 @@ private:
         return size_t(std::ranges::count_if(octree.nodes(), &RegularOctree::Node::leaf));
     }
 };
-
-Show featureListing() {
-    return listingShow({{CULLSCOPE_TR("for each node of octrees L and S"), 0},
-                        {CULLSCOPE_TR("test its box against the six planes"), 1},
-                        {CULLSCOPE_TR("outside: leave its components out"), 1},
-                        {CULLSCOPE_TR("leaf of L: draw its components"), 1},
-                        {CULLSCOPE_TR("leaf of S: t = value ÷ distance"), 1},
-                        {CULLSCOPE_TR("if t < k′·tan θ: leave it out"), 2},
-                        {CULLSCOPE_TR("else draw its components"), 2}});
-}
-
-std::vector<ParameterDeclaration> featureParameters() {
-    ParameterDeclaration outline{kOutline,
-                                 ParameterType::Real,
-                                 30.0,
-                                 0.0,
-                                 100.0,
-                                 "%",
-                                 CULLSCOPE_TR("How many of the components, the largest ones, are the outline, which is always "
-                                              "drawn. The paper names no number."),
-                                 {}};
-    const auto threshold = bySize({kThreshold,
-                                   ParameterType::Real,
-                                   0.002,
-                                   0.0,
-                                   1.0,
-                                   "",
-                                   CULLSCOPE_TR("A leaf is left out where its largest occupancy value, divided by its distance, "
-                                                "is below this: k′·tan θ."),
-                                   {}},
-                                  1e-4);
-    ParameterDeclaration hold{kHoldFps,
-                              ParameterType::Real,
-                              0.0,
-                              0.0,
-                              1000.0,
-                              "fps",
-                              CULLSCOPE_TR("How many frames per second threshold and outline hold, by the frames' own times; 0: "
-                                           "they stay as they are set."),
-                              {}};
-    const auto levels = [](const char* key, const char* description) {
-        return readWhenBuilding(
-            {key, ParameterType::Integer, int64_t{4}, 1.0, double(RegularOctree::kMostLevels), "", description, {}});
-    };
-    return {facingParameter(),
-            readWhenBuilding(outline),
-            threshold,
-            levels(kOutlineLevels, CULLSCOPE_TR("Levels of octree L, which holds the outline; the root is one of them.")),
-            levels(kDetailLevels, CULLSCOPE_TR("Levels of octree S, which holds the details; the root is one of them.")),
-            choiceParameter("boxes", "contents",
-                            CULLSCOPE_TR("Which box of a node is tested and has the distance; the paper can be read both ways."),
-                            {{"contents", CULLSCOPE_TR("the box around its components")},
-                             {"cells", CULLSCOPE_TR("the octree's cell, over which components reach")}}),
-            choiceParameter("at-rest", "culled", CULLSCOPE_TR("What is drawn while the camera does not move."),
-                            {{"culled", CULLSCOPE_TR("the same as in motion")},
-                             {"whole", CULLSCOPE_TR("everything in the frustum, as in the paper's Figure 8")}}),
-            hold};
-}
 
 }  // namespace
 

@@ -19,6 +19,7 @@ PlantFiguresSize quick() {
     size.viewsOfMany = 1;
     size.curvePipelines = 2;
     size.sides = {0.5, 4, 16};
+    size.distances = {4};
     size.size = {96, 54};
     return size;
 }
@@ -113,6 +114,17 @@ TEST(PlantFigures, curveHasEveryThresholdOfEveryMethodAndTakesAnotherScene) {
     EXPECT_FALSE(table.checkFailed());
     ASSERT_EQ(table.plots.size(), 2u);
     EXPECT_EQ(table.plots[1].lines.size(), 3u);
+    // What misses nothing has its line, too.
+    ASSERT_EQ(table.plots[0].lines.size(), 3u);
+    const PlotRange y = rangeAlongY(table.plots[0]);
+    for (const PlotLine& line : table.plots[0].lines) {
+        EXPECT_EQ(line.points.size(), 3u) << line.name;
+        for (const PlotPoint& point : line.points) EXPECT_TRUE(y.places(point.y)) << line.name;
+    }
+    ASSERT_FALSE(table.plots[0].y.ticks.empty());
+    EXPECT_EQ(table.plots[0].y.ticks.front().label, "0");
+    const auto side = std::ranges::find(table.columns, std::string("side_px"), &ResultColumn::key);
+    EXPECT_EQ(valueText(*side, table.value(0, "side_px")), "0.50");
     // 14.33 pixels of 1,920 are the paper's 0.002.
     PlantFiguresSize paper;
     paper.sides = {14.33};

@@ -1,0 +1,30 @@
+// What is picked in the session's views.
+#include "ui/session/session.h"
+
+namespace cullscope::ui {
+
+void Session::setPick(const std::optional<Pick>& pick) {
+    if (m_pictures) m_pictures->cancelPick();
+    setGroup(std::nullopt);
+    if (pick == m_pick) return;
+    m_pick = pick;
+    emit pickChanged();
+}
+
+void Session::pickAt(int view, int x, int y) {
+    const std::optional<ViewRequest> request = viewRequest(view);
+    if (!request) return;
+    m_pictures->pick(*request, x, y, [this, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
+        // A scene that changed meanwhile numbers its triangles in another way.
+        if (m_scene != request.buffers->scenePointer()) return;
+        if (m_question) return picked ? nameInQuestion(picked->triangle, picked->point) : void();
+        if (!picked) return setPick(std::nullopt);
+        const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
+        const uint32_t object = objectOf(instance);
+        const uint64_t within = picked->triangle - m_scene->firstTriangle(instance);
+        setPick(Pick{object, m_opened->scene->firstTriangle(object) + within, picked->point});
+        emit pickedInPicture(view);
+    });
+}
+
+}  // namespace cullscope::ui
