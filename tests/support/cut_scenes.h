@@ -89,14 +89,23 @@ inline MeshPointer threeBars() {
 /// edges, touching, and all of these.
 inline ScenePointer hardScene(uint64_t seed) {
     Random random(seed);
-    const auto place = [&] { return Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+    // One statement a number: in which order a compiler computes the arguments of a call is its own choice.
+    const auto place = [&] {
+        const double z = random.between(-1, 1);
+        const double y = random.between(-1, 1);
+        const double x = random.between(-1, 1);
+        return Vec3(x, y, z);
+    };
     std::vector<Vec3f> corners;
     const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         corners.insert(corners.end(), {Vec3f(a), Vec3f(b), Vec3f(c)});
     };
     const uint64_t kind = seed % 6;
     if (kind == 0 || kind == 5)
-        for (int i = 0; i < 12; ++i) add(place(), place(), place());
+        for (int i = 0; i < 12; ++i) {
+            const Vec3 c = place(), b = place(), a = place();
+            add(a, b, c);
+        }
     if (kind == 1 || kind == 5)  // a cycle of long thin ones around an axis
         for (int i = 0; i < 5; ++i) {
             const double angle = 1.2566370614359172 * i, next = angle + 1.9;
@@ -119,7 +128,8 @@ inline ScenePointer hardScene(uint64_t seed) {
         for (int i = 0; i < 6; ++i) {
             const Vec3 a(-1, 0.25 * i - 0.75, -0.5), b(1, 0.25 * i - 0.75, -0.5), c(0, 0.25 * i - 0.5, 0.5);
             add(a, b, c);
-            add(0.5 * (a + c), place(), place());
+            const Vec3 third = place(), second = place();
+            add(0.5 * (a + c), second, third);
         }
     return sceneOf({soupMesh(std::move(corners))});
 }

@@ -46,8 +46,8 @@ uint64_t unexplained(Culler& culler, const SceneBuffers& buffers, const View& vi
 }
 
 View outside(Random& random) {
-    return {{random.between(2.5, 4.0) * random.direction(), 0.3 * random.direction(), random.direction(), Angle::fromDegrees(45),
-             0.05, 100},
+    const double distance = random.between(2.5, 4.0);
+    return {{distance * random.direction(), 0.3 * random.direction(), random.direction(), Angle::fromDegrees(45), 0.05, 100},
             kSize};
 }
 View within(Random& random) {
