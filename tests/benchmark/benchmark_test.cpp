@@ -339,7 +339,8 @@ TEST(KeptRuns, haveTheColumnsOfTheirExperimentsOrThoseThatTheDocsSay) {
         ASSERT_TRUE(file.is_open()) << experiment.id;
         std::istringstream now(rowsCsv(emptyTable(experiment)));
         std::vector<std::string> expected = keysOf(now);
-        std::erase_if(expected, [&](const std::string& key) { return std::ranges::find(lacks, key) != lacks.end(); });
+        std::erase_if(expected,
+                      [&lacks = lacks](const std::string& key) { return std::ranges::find(lacks, key) != lacks.end(); });
         expected.insert(expected.end(), has.begin(), has.end());
         EXPECT_THAT(keysOf(file), testing::UnorderedElementsAreArray(expected)) << experiment.id;
     }
