@@ -142,10 +142,13 @@ FrameLog frameOf(Renderer& renderer, const SceneBuffers& buffers, const BuiltStr
     return frame.take();
 }
 
-/// The entries of a frame's log: number, line of the listing, sentence.
+/// The entries of a frame's log: number, line of the listing, sentence. Before them, as the desktop's bar says it, what the
+/// strategy does not say one by one.
 void printSteps(std::FILE* words, const BuiltStrategy& strategy, const FrameLog& log) {
     const FrameEntries entries(log);
     const StructureSnapshot snapshot = strategy.snapshot(log);
+    if (!log.coarser.empty()) say(words, "The method itself records this frame coarser:\n");
+    for (const Message& coarser : log.coarser) say(words, "  {}\n", coarser.english());
     for (size_t i = 0; i < entries.size(); ++i) {
         const FrameEntry entry = entries.at(i);
         const bool lined = entry.decision != nullptr && entry.decision->line > 0;

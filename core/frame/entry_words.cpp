@@ -8,9 +8,12 @@
 namespace cullscope {
 namespace {
 
-std::string sixDigits(double value) {
+/// Six significant digits; of a whole number, such as a count, all of them.
+std::string digits(double value) {
+    constexpr double kMostWhole = 1e15;
+    const bool whole = std::abs(value) < kMostWhole && value == std::trunc(value);
     char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
+    std::snprintf(text, sizeof text, whole ? "%.0f" : "%.6g", whole && value == 0.0 ? 0.0 : value);
     return text;
 }
 
@@ -33,7 +36,7 @@ Words outcomeWords(const Decision& decision) {
 
 struct CommandWords {
     Words operator()(const DrawList& list) const {
-        return {CULLSCOPE_TR("Triangles of the scene are drawn: %1, in %2 ranges"),
+        return {CULLSCOPE_TR("Triangles of the scene are drawn: %1 (ranges: %2)"),
                 {Term::count(list.triangleCount()), Term::count(list.ranges.size())}};
     }
     Words operator()(const OwnTrianglesPointer& own) const {
@@ -45,9 +48,9 @@ struct CommandWords {
     }
     Words operator()(const AskedBoxes& asked) const {
         if (!asked.answered)
-            return {CULLSCOPE_TR("OpenGL is asked about %1 boxes; its answers come in a later frame"),
+            return {CULLSCOPE_TR("OpenGL is asked about boxes: %1; its answers come in a later frame"),
                     {Term::count(asked.boxes.size())}};
-        return {CULLSCOPE_TR("OpenGL is asked about %1 boxes, and hits %2"),
+        return {CULLSCOPE_TR("OpenGL is asked about boxes: %1; hit: %2"),
                 {Term::count(asked.boxes.size()), Term::count(asked.hits.size())}};
     }
 };
@@ -59,7 +62,7 @@ std::vector<Term> decisionTerms(const Decision& decision, const EntryNames& name
     if (decision.plane) terms.push_back(Term::marked(planeName(*decision.plane)));
     for (size_t i = 0; i < decision.operandCount; ++i) {
         const double value = decision.plane ? std::abs(decision.operands[i]) : decision.operands[i];
-        terms.push_back(Term::name(names.operands[i].empty() ? sixDigits(value) : names.operands[i]));
+        terms.push_back(Term::name(names.operands[i].empty() ? digits(value) : names.operands[i]));
     }
     return terms;
 }
@@ -84,6 +87,9 @@ Words subjectWords(const Scene& scene, const Subject& subject, const EntryNames&
             if (ofObject) return {CULLSCOPE_TR("Band %1 of %2"), {number, named(subject.object)}};
             return {CULLSCOPE_TR("Band %1"), {number}};
         case Subject::Kind::Fragment:
+            if (names.whole && ofObject)
+                return {CULLSCOPE_TR("Triangle %1 of %2"),
+                        {Term::plain(subject.number), names.subject.empty() ? named(subject.object) : number}};
             if (!names.subject.empty()) return {CULLSCOPE_TR("Part %1"), {number}};
             if (ofObject) return {CULLSCOPE_TR("Part of triangle %1 of %2"), {number, named(subject.object)}};
             return {CULLSCOPE_TR("Part of triangle %1"), {number}};

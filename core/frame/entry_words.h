@@ -13,9 +13,11 @@ namespace cullscope {
 struct EntryNames {
     std::string subject;
     std::array<std::string, Decision::kOperands> operands;
+    bool whole = false;  ///< of a Fragment: it is a whole triangle
 };
 
-/// What stands for %1, %2, … in a decision's own sentence: the plane's name, then the operands with six significant digits.
+/// What stands for %1, %2, … in a decision's own sentence: the plane's name, then the operands with six significant digits, whole
+/// numbers with all of theirs.
 /// The sentence says on which side of a plane a distance lies, so those of a plane test are without their sign.
 [[nodiscard]] std::vector<Term> decisionTerms(const Decision& decision, const EntryNames& names = {});
 /// What a decision is about: "Object Buddha", "Node 12"; triangles by their numbers in the scene. Rows and triangles with a name

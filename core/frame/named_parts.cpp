@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "core/frame/part_names.h"
@@ -99,11 +100,12 @@ NamedParts namedParts(const Scene& scene, const FrameLog& log, const PartOf& par
     result.own = ownTriangles(log);
     if (!result.own || result.own->triangles.size() > NamedParts::kMostTriangles) return {};
     std::map<uint32_t, std::vector<Fragment>> fragments;  // by object
-    std::map<uint32_t, bool> cut;
+    std::map<uint32_t, bool> cut;                         // by object: whether a triangle of it is drawn in parts
+    std::set<uint32_t> seen;
     for (const Decision& decision : log.decisions) {
         if (decision.subject.kind != Subject::Kind::Fragment || decision.places.count == 0) continue;
         const uint32_t object = decision.subject.object;
-        cut[object] = cut[object] || decision.outcome == Decision::Outcome::PartlyDrawn;
+        cut[object] = !seen.insert(result.own->triangles[decision.places.first]).second || cut[object];
         const auto [area, sum] = weighed(result, scene, object, decision.places);
         fragments[object].push_back({decision.places,
                                      partOf ? partOf(decision) : PartKey{result.own->triangles[decision.places.first], {}},

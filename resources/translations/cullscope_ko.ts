@@ -2916,20 +2916,12 @@
         <translation>시험함</translation>
     </message>
     <message>
-        <source>Triangles of the scene are drawn: %1, in %2 ranges</source>
-        <translation>장면의 삼각형을 그림: %1개, 범위 %2개</translation>
-    </message>
-    <message>
         <source>Triangles of the strategy&apos;s own are drawn: %1</source>
         <translation>전략이 만든 삼각형을 그림: %1개</translation>
     </message>
     <message>
         <source>A picture that the strategy made is shown: %1 × %2 pixels</source>
         <translation>전략이 만든 그림을 보임: %1 × %2 픽셀</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about %1 boxes, and hits %2</source>
-        <translation>OpenGL에 상자 %1개를 물어 %2개가 맞음</translation>
     </message>
     <message>
         <source>Object %1</source>
@@ -3630,10 +3622,6 @@
     <message>
         <source>not yet decided</source>
         <translation>아직 결정되지 않음</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about %1 boxes; its answers come in a later frame</source>
-        <translation>OpenGL에 상자 %1개를 묻습니다. 답은 뒤의 프레임에 옵니다</translation>
     </message>
     <message>
         <source>The triangle is in the picture that the strategy made.</source>
@@ -4536,10 +4524,6 @@
         <translation>삼각형 %2는 표본을 덮지 않아 아무것과도 비교하지 않음: 그 면적의 %1을 그립니다.</translation>
     </message>
     <message>
-        <source>The centroid of triangle %2, at the distance %3, is the farthest one left: %1 of its area is drawn without a test.</source>
-        <translation>거리 %3에 있는 삼각형 %2의 무게중심이 남은 것 가운데 가장 멂: 그 면적의 %1을 검사 없이 그립니다.</translation>
-    </message>
-    <message>
         <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: %1 of its area is drawn all the same.</source>
         <translation>반올림만으로 삼각형 %2가 아직 다른 것을 기다리고 자를 수 있는 것이 없음: 그래도 그 면적의 %1을 그립니다.</translation>
     </message>
@@ -4782,6 +4766,46 @@
     <message>
         <source>OpenGL cannot be started, for want of threads. Close other programs, or allow this one more (ulimit -u).</source>
         <translation>스레드가 부족하여 OpenGL을 시작할 수 없습니다. 다른 프로그램을 닫거나 이 프로그램에 스레드를 더 허용하세요(ulimit -u).</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn: %1 (ranges: %2)</source>
+        <translation>장면의 삼각형을 그림: %1개 (범위: %2개)</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1; its answers come in a later frame</source>
+        <translation>OpenGL에 묻는 상자: %1개. 답은 뒤의 프레임에 옵니다</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1; hit: %2</source>
+        <translation>OpenGL에 묻는 상자: %1개, 맞은 것: %2개</translation>
+    </message>
+    <message>
+        <source>Triangle %2 is drawn, with node %3.</source>
+        <translation>삼각형 %2을(를) 노드 %3에서 그립니다.</translation>
+    </message>
+    <message>
+        <source>The tree has the triangle as a whole, drawn where the walk comes to it.</source>
+        <translation>트리에는 삼각형이 통째로 있고, 순회가 그곳에 이를 때 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Triangle %2 covers no sample and is compared with none: it is drawn.</source>
+        <translation>삼각형 %2은(는) 샘플을 덮지 않아 어떤 것과도 비교되지 않고 그려집니다.</translation>
+    </message>
+    <message>
+        <source>The centroid of triangle %2, at the distance %3, is the farthest one left: it is drawn without a test.</source>
+        <translation>거리 %3에 있는 삼각형 %2의 무게중심이 남은 것 가운데 가장 멉니다. 검사 없이 그립니다.</translation>
+    </message>
+    <message>
+        <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: it is drawn all the same.</source>
+        <translation>반올림 때문에만 삼각형 %2이(가) 아직 다른 것을 기다리고, 그중 자를 수 있는 것이 없습니다. 그래도 그립니다.</translation>
+    </message>
+    <message>
+        <source>Nothing is left that has to come before: triangle %2 is drawn.</source>
+        <translation>먼저 와야 할 것이 남아 있지 않습니다. 삼각형 %2을(를) 그립니다.</translation>
+    </message>
+    <message>
+        <source>No surface reaches here: nothing is compared, and nothing is filled.</source>
+        <translation>여기에 이르는 면이 없습니다. 비교하는 것도 채우는 것도 없습니다.</translation>
     </message>
 </context>
 <context>

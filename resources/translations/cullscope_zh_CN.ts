@@ -2916,20 +2916,12 @@
         <translation>已测试</translation>
     </message>
     <message>
-        <source>Triangles of the scene are drawn: %1, in %2 ranges</source>
-        <translation>绘制场景的三角形：%1 个，分 %2 段</translation>
-    </message>
-    <message>
         <source>Triangles of the strategy&apos;s own are drawn: %1</source>
         <translation>绘制策略自己的三角形：%1 个</translation>
     </message>
     <message>
         <source>A picture that the strategy made is shown: %1 × %2 pixels</source>
         <translation>显示策略生成的图像：%1 × %2 像素</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about %1 boxes, and hits %2</source>
-        <translation>就 %1 个包围盒询问 OpenGL，命中 %2 个</translation>
     </message>
     <message>
         <source>Object %1</source>
@@ -3630,10 +3622,6 @@
     <message>
         <source>not yet decided</source>
         <translation>尚未决定</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about %1 boxes; its answers come in a later frame</source>
-        <translation>向 OpenGL 询问 %1 个包围盒；回答在之后的帧到来</translation>
     </message>
     <message>
         <source>The triangle is in the picture that the strategy made.</source>
@@ -4536,10 +4524,6 @@
         <translation>三角形 %2 不覆盖任何采样点，不与其他比较：绘制其面积的 %1。</translation>
     </message>
     <message>
-        <source>The centroid of triangle %2, at the distance %3, is the farthest one left: %1 of its area is drawn without a test.</source>
-        <translation>三角形 %2 的质心距离为 %3，是剩余中最远的：不经测试绘制其面积的 %1。</translation>
-    </message>
-    <message>
         <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: %1 of its area is drawn all the same.</source>
         <translation>仅因舍入，三角形 %2 仍在等待其他三角形，而它们都无法切割：仍绘制其面积的 %1。</translation>
     </message>
@@ -4782,6 +4766,46 @@
     <message>
         <source>OpenGL cannot be started, for want of threads. Close other programs, or allow this one more (ulimit -u).</source>
         <translation>线程不足，无法启动 OpenGL。请关闭其他程序，或允许本程序使用更多线程（ulimit -u）。</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn: %1 (ranges: %2)</source>
+        <translation>绘制场景的三角形：%1 个（区间：%2 个）</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1; its answers come in a later frame</source>
+        <translation>向 OpenGL 询问包围盒：%1 个；回答在之后的帧到来</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1; hit: %2</source>
+        <translation>向 OpenGL 询问包围盒：%1 个；命中：%2 个</translation>
+    </message>
+    <message>
+        <source>Triangle %2 is drawn, with node %3.</source>
+        <translation>三角形 %2 随节点 %3 绘制。</translation>
+    </message>
+    <message>
+        <source>The tree has the triangle as a whole, drawn where the walk comes to it.</source>
+        <translation>树中该三角形是完整的，遍历到达它时绘制。</translation>
+    </message>
+    <message>
+        <source>Triangle %2 covers no sample and is compared with none: it is drawn.</source>
+        <translation>三角形 %2 不覆盖任何采样点，不与任何三角形比较：直接绘制。</translation>
+    </message>
+    <message>
+        <source>The centroid of triangle %2, at the distance %3, is the farthest one left: it is drawn without a test.</source>
+        <translation>三角形 %2 的质心距离为 %3，是剩余中最远的：不经测试绘制它。</translation>
+    </message>
+    <message>
+        <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: it is drawn all the same.</source>
+        <translation>仅因舍入，三角形 %2 仍在等待其他三角形，而它们都无法切割：仍然绘制它。</translation>
+    </message>
+    <message>
+        <source>Nothing is left that has to come before: triangle %2 is drawn.</source>
+        <translation>没有剩下必须先绘制的：绘制三角形 %2。</translation>
+    </message>
+    <message>
+        <source>No surface reaches here: nothing is compared, and nothing is filled.</source>
+        <translation>没有表面到达这里：不比较，也不填充。</translation>
     </message>
 </context>
 <context>

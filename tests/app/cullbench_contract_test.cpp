@@ -47,6 +47,15 @@ TEST_F(CullbenchContract, stepsOfAFrameAreDrawnAndPrintedAndOthersRefused) {
     EXPECT_EQ(with({"--step", "first"}).exitStatus, 2);
 }
 
+TEST_F(CullbenchContract, coarserStepsSaySoAndCountsAreWhole) {
+    const ProcessResult printed = cullbench(
+        {"render", "sphere:triangles=1000000", "-s", "depth-buffer", "--size", "64x48", "--steps", "-o", file("sphere.png")});
+    ASSERT_EQ(printed.exitStatus, 0) << printed.err;
+    EXPECT_THAT(printed.out,
+                HasSubstr("The method itself records this frame coarser:\n  by bands of rows, above 2000 triangles\n"));
+    EXPECT_THAT(printed.out, HasSubstr("Of its 1003520 triangles"));
+}
+
 TEST_F(CullbenchContract, horizontalFieldOfViewIsForThePicturesSize) {
     const std::string path = file("path.json"), size = "200x100";
     ASSERT_EQ(cullbench({"path", "orbit:2", "sphere:triangles=80", "--fovx", "90", "--size", size, "-o", path}).exitStatus, 0);

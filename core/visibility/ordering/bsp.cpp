@@ -123,11 +123,10 @@ private:
             const auto first = uint32_t(m_own->triangles.size());
             add(part);
             if (!records(number)) continue;
-            Decision drawn = ending({Subject::Kind::Fragment, part.triangle, uint32_t(m_instance)},
-                                    part.share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
+            Decision drawn = ending({Subject::Kind::Fragment, part.triangle, uint32_t(m_instance)}, Decision::Outcome::Drawn);
             drawn = withNumbers(drawn, node.depth + 1, {part.share, double(part.triangle), double(number)});
-            drawn.cause = Cause::Hidden;
-            drawn.sentence = CULLSCOPE_TR("A part with %1 of the area of triangle %2 is drawn, with node %3.");
+            drawn.sentence = part.share < 1.0 ? CULLSCOPE_TR("A part with %1 of the area of triangle %2 is drawn, with node %3.")
+                                              : CULLSCOPE_TR("Triangle %2 is drawn, with node %3.");
             drawn.places = {first, part.count};
             m_frame.say(atLine(BspLine::OnPlane, drawn));
         }
@@ -203,9 +202,10 @@ public:
                      std::vector<WhyStep>& steps) const override {
         const uint64_t number = structure.scene().firstTriangle(instance) + triangle;
         const auto parts = std::ranges::count(own(structure).tree->parts(), number, &BspTree::Part::triangle);
-        Message sentence{CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it."),
-                         {std::to_string(parts)}};
-        steps.push_back({std::move(sentence), {}, {}, {}, Containment::Straddles});
+        const char* sentence = parts > 1
+                                   ? CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it.")
+                                   : CULLSCOPE_TR("The tree has the triangle as a whole, drawn where the walk comes to it.");
+        steps.push_back({{sentence, {std::to_string(parts)}}, {}, {}, {}, Containment::Straddles});
     }
 
     /// Its plane within its cell, its own polygons, and the box of all below it.

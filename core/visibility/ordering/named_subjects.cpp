@@ -5,6 +5,8 @@
 namespace cullscope::ordering {
 namespace {
 
+constexpr size_t kShare = 0;  ///< the operand of a drawn part that is its share of the triangle's area
+
 /// Closed, as a line.
 std::vector<Vec3> outlineOf(std::vector<Vec3> corners) {
     if (!corners.empty()) corners.push_back(corners.front());
@@ -43,6 +45,9 @@ NamedSubjects::NamedSubjects(const Scene& scene, const FrameLog& log, const Name
     : m_role(role) {
     for (const LoggedDetail& logged : log.details)
         if (auto polygons = std::dynamic_pointer_cast<const PolygonsInHand>(logged.detail)) m_inHand = std::move(polygons);
+    for (const Decision& decision : log.decisions)
+        if (decision.subject.kind == Subject::Kind::Fragment && decision.places.count > 0 && decision.operands[kShare] < 1.0)
+            m_cut.insert(decision.subject.number);
     if (!parts.own || parts.parts.empty()) return;
     m_partNames.resize(parts.own->triangles.size());
     for (const NamedParts::Part& part : parts.parts)
@@ -87,8 +92,14 @@ std::string NamedSubjects::partName(const PlaceRun& drawn) const {
     return drawn.count > 0 && drawn.first < m_partNames.size() ? m_partNames[drawn.first] : std::string();
 }
 
+bool NamedSubjects::isWhole(const Decision& decision, size_t number) const {
+    const PolygonsInHand::Pair* pair = pairOf(number);
+    return pair != nullptr ? m_inHand->whole[pair->p] : !m_cut.contains(decision.subject.number);
+}
+
 EntryNames NamedSubjects::names(const StructureSnapshot& snapshot, const Decision& decision, size_t number) const {
     EntryNames names;
+    names.whole = decision.subject.kind == Subject::Kind::Fragment && isWhole(decision, number);
     const bool ofPart = decision.subject.kind == Subject::Kind::Fragment && !m_partNames.empty();
     if (ofPart) names.subject = partName(drawnOf(decision, number, false));
     bool second = false;

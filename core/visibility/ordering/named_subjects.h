@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+
 #include "core/frame/named_parts.h"
 #include "core/spatial/bsp_cells.h"
 #include "core/spatial/cut_triangles.h"
@@ -17,6 +19,7 @@ struct PolygonsInHand final : DecisionDetail {
     std::vector<Pair> pairs;                 ///< by decision
     std::vector<PlaceRun> drawn;             ///< by polygon: its triangles among the own ones; none where it was cut
     std::vector<std::vector<Vec3>> corners;  ///< by polygon, in world coordinates; empty: of none
+    std::vector<bool> whole;                 ///< likewise: a triangle of which nothing was cut off
 };
 
 /// The parts of a frame that walked a tree, by the cells in which they lie: an object's polygons in one cell are a part, and the
@@ -52,7 +55,11 @@ private:
     /// Empty: not known.
     [[nodiscard]] std::string partName(const PlaceRun& drawn) const;
 
+    /// Whether a decision speaks of a triangle of which nothing was cut off.
+    [[nodiscard]] bool isWhole(const Decision& decision, size_t number) const;
+
     std::shared_ptr<const PolygonsInHand> m_inHand;  ///< null: the frame has none
+    std::set<uint32_t> m_cut;                        ///< triangles that are drawn in parts
     std::vector<std::string> m_partNames;            ///< by own triangle; empty: none is named
     std::vector<std::string> m_objects;              ///< with part names: by instance
     std::vector<uint64_t> m_firstTriangles;          ///< likewise

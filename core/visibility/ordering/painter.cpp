@@ -88,6 +88,7 @@ private:
         if (!m_options.watchDrawnOnly) {
             for (uint32_t polygon = 0; polygon < m_triangles.polygons().size(); ++polygon) {
                 work.step();
+                m_inHand->whole.push_back(m_triangles.share(polygon) >= 1.0);
                 std::vector<Vec3>& corners = m_inHand->corners.emplace_back();
                 for (const CutTriangles::Corner& corner : m_triangles.cornersOf(polygon))
                     corners.push_back(m_triangles.position(corner.vertex));
@@ -140,9 +141,8 @@ private:
 
     void drawn(const NewellStep& step) {
         const double share = m_triangles.share(step.p);
-        Decision end = ending(subjectOf(step.p), share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
-        end.cause = Cause::Hidden;
-        end.sentence = toldDrawn(step.cause);
+        Decision end = ending(subjectOf(step.p), Decision::Outcome::Drawn);
+        end.sentence = toldDrawn(step.cause, share >= 1.0);
         end.places = m_inHand->drawn[step.p];
         end.operands = {share, double(triangleOf(step.p)), step.first};
         end.operandCount = step.cause == NewellStep::Cause::ByCentroid ? 3 : 2;

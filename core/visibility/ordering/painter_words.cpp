@@ -64,22 +64,27 @@ ToldTest toldTest(const NewellStep& step) {
                                "apart.")};
 }
 
-const char* toldDrawn(NewellStep::Cause cause) {
+const char* toldDrawn(NewellStep::Cause cause, bool whole) {
     switch (cause) {
         case NewellStep::Cause::NoSamples:
-            return CULLSCOPE_TR("Triangle %2 covers no sample and is compared with none: %1 of its area is drawn.");
+            return whole ? CULLSCOPE_TR("Triangle %2 covers no sample and is compared with none: it is drawn.")
+                         : CULLSCOPE_TR("Triangle %2 covers no sample and is compared with none: %1 of its area is drawn.");
         case NewellStep::Cause::ByCentroid:
+            // Nothing is cut by this order.
             return CULLSCOPE_TR(
-                "The centroid of triangle %2, at the distance %3, is the farthest one left: %1 of its area is "
-                "drawn without a test.");
+                "The centroid of triangle %2, at the distance %3, is the farthest one left: it is drawn without a test.");
         case NewellStep::Cause::GivenUp:
-            return CULLSCOPE_TR(
-                "Because of rounding alone triangle %2 still waits for others, and none of them can be cut: %1 of "
-                "its area is drawn all the same.");
+            return whole ? CULLSCOPE_TR(
+                               "Because of rounding alone triangle %2 still waits for others, and none of them can be cut: it "
+                               "is drawn all the same.")
+                         : CULLSCOPE_TR(
+                               "Because of rounding alone triangle %2 still waits for others, and none of them can be cut: %1 of "
+                               "its area is drawn all the same.");
         case NewellStep::Cause::Free:
             break;
     }
-    return CULLSCOPE_TR("Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.");
+    return whole ? CULLSCOPE_TR("Nothing is left that has to come before: triangle %2 is drawn.")
+                 : CULLSCOPE_TR("Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.");
 }
 
 }  // namespace cullscope::ordering

@@ -15,7 +15,8 @@ struct ToldTest {
 /// The line and the sentence of a test; %1 and %2 are the triangles P and Q, %3 and %4 what was compared.
 [[nodiscard]] ToldTest toldTest(const NewellStep& step);
 
-/// What is said of a triangle that is drawn: %1 is the share of its area, %2 the triangle, %3 the distance of its centroid.
-[[nodiscard]] const char* toldDrawn(NewellStep::Cause cause);
+/// What is said of a triangle, or a part of it, that is drawn: %1 is the share of its area, %2 the triangle, %3 the distance of
+/// its centroid. `whole`: nothing of it was cut off.
+[[nodiscard]] const char* toldDrawn(NewellStep::Cause cause, bool whole);
 
 }  // namespace cullscope::ordering

@@ -134,7 +134,11 @@ private:
         bool attached = false;
         for (uint32_t row = 0; row < drawn.rows.size(); ++row) {
             const RowCounts& counts = drawn.rows[row];
-            if (spansToo && counts.triangles > 0) {
+            if (counts.triangles == 0) {
+                row = sayEmptyRows(frame, drawn, row);
+                continue;
+            }
+            if (spansToo) {
                 sayRow(frame, row, counts, nextEdge < drawn.edges.size() ? &drawn.edges[nextEdge] : nullptr);
                 if (!std::exchange(attached, true)) frame.attach(active);
             }
@@ -159,6 +163,18 @@ private:
             done.places = pixelsOf(frame, int(row), int(row) + 1, 0, frame.view().viewport().width);
             frame.say(atLine(Line::Done, done));
         }
+    }
+
+    /// Consecutive rows that no surface reaches. Returns the last one.
+    static uint32_t sayEmptyRows(FrameContext& frame, const ScanLinePicture& drawn, uint32_t first) {
+        uint32_t end = first;
+        while (end < drawn.rows.size() && drawn.rows[end].triangles == 0) ++end;
+        Decision empty = said(ofRows(first), Decision::Outcome::Open,
+                              CULLSCOPE_TR("No surface reaches here: nothing is compared, and nothing is filled."), {});
+        empty.operandCount = 0;
+        empty.places = pixelsOf(frame, int(first), int(end), 0, frame.view().viewport().width);
+        frame.say(atLine(Line::Done, empty));
+        return end - 1;
     }
 
     /// `edge`: its first one; null: its edges are not told one by one.

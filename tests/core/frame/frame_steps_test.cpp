@@ -199,7 +199,7 @@ TEST(EntryWords, haveTheComparedValuesAsNumbers) {
     const Decision end = about(Subject::ofNode(3), Decision::Outcome::Culled, 0, 0, Cause::Hidden);
     EXPECT_EQ(entryWords({nullptr, &end, 0}).english(), "Left out: hidden");
     const Command draw = DrawList{Facing::TwoSided, {{0, 0, 30}, {0, 60, 6}}};
-    EXPECT_EQ(entryWords({&draw, nullptr, 0}).english(), "Triangles of the scene are drawn: 12, in 2 ranges");
+    EXPECT_EQ(entryWords({&draw, nullptr, 0}).english(), "Triangles of the scene are drawn: 12 (ranges: 2)");
     const Decision plane = planeTest(Subject::ofObject(0), FrustumPlane::Left, -2.5, 1.0, 0.01);
     EXPECT_EQ(
         entryWords({nullptr, &plane, 0}).english(),
