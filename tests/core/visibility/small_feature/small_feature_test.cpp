@@ -144,9 +144,12 @@ TEST(SmallFeature, overlayTellsTheOutlineFromTheDetailsAndTheLatterByVerdict) {
     const CullerPointer culler = built("small-feature", *scene, {{"threshold", "0.005"}});
     Random random(5);
     const DrawStyle style;
-    std::map<float, size_t> lines;
-    size_t ofOutline = 0, kept = 0, tooSmall = 0;
+    constexpr size_t kMostBoxes = 150;  // beyond which details have the boxes of larger places
+    constexpr float kVisible = float(TriangleState::Visible) + 1.0f, kTooSmall = float(TriangleState::TooSmall) + 1.0f;
+    size_t ofAllOutlines = 0, byComponent = 0, byPlace = 0;
     for (int number = 0; number < 12; ++number) {
+        std::map<float, size_t> lines;
+        size_t ofOutline = 0, kept = 0, tooSmall = 0, leavesTooSmall = 0;
         const View view = lookingInto(*scene, random);
         const Culled frame = culler->cull(view, Recording::On);
         OverlayContext context{*scene, view, style, {}, Vec3f(0.1f, 0.2f, 0.3f)};
@@ -162,17 +165,28 @@ TEST(SmallFeature, overlayTellsTheOutlineFromTheDetailsAndTheLatterByVerdict) {
             if (decision.subject.kind != Subject::Kind::Node) continue;
             if (decision.outcome == Decision::Outcome::Drawn)
                 (decision.subject.number < nodesOfL ? ofOutline : kept) += decision.objectCount;
-            if (decision.outcome == Decision::Outcome::Culled && decision.cause == Cause::TooSmall)
-                tooSmall += decision.objectCount;
+            if (decision.outcome != Decision::Outcome::Culled || decision.cause != Cause::TooSmall) continue;
+            tooSmall += decision.objectCount;
+            ++leavesTooSmall;
         }
+        EXPECT_EQ(lines[0.1f], 12 * std::min(ofOutline, kMostBoxes));
+        ofAllOutlines += ofOutline;
+        if (kept + tooSmall <= kMostBoxes) {
+            EXPECT_EQ(lines[kVisible], 12 * kept);
+            EXPECT_EQ(lines[kTooSmall], 12 * tooSmall);
+            byComponent += kept + tooSmall;
+        } else {
+            EXPECT_EQ(lines[kVisible], 0u);
+            EXPECT_EQ(lines[kTooSmall] % 12, 0u);
+            EXPECT_LE(lines[kTooSmall], 12 * leavesTooSmall);
+            EXPECT_EQ(lines[kTooSmall] > 0, leavesTooSmall > 0);
+            byPlace += lines[kTooSmall];
+        }
+        EXPECT_LE(lines.size(), 3u) << "nothing outside the frustum has a box";
     }
-    EXPECT_GT(ofOutline, 10u);
-    EXPECT_GT(kept, 10u);
-    EXPECT_GT(tooSmall, 10u);
-    EXPECT_EQ(lines[0.1f], 12 * ofOutline);
-    EXPECT_EQ(lines[float(TriangleState::Visible) + 1.0f], 12 * kept);
-    EXPECT_EQ(lines[float(TriangleState::TooSmall) + 1.0f], 12 * tooSmall);
-    EXPECT_EQ(lines.size(), 3u) << "nothing outside the frustum has a box";
+    EXPECT_GT(ofAllOutlines, 10u);
+    EXPECT_GT(byComponent, 10u);
+    EXPECT_GT(byPlace, 10u);
 }
 
 TEST(SmallFeature, countsNameTheOctreesOnBothSidesOfTheSplit) {
