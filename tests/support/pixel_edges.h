@@ -17,8 +17,8 @@ public:
     /// The distance in pixels from a pixel's centre to the nearest edge of a scene triangle; infinity where no part of it is in
     /// view. Pixels count row by row from the bottom.
     [[nodiscard]] double toEdgeOf(uint64_t triangle, size_t pixel) const;
-    /// Twice the area of a triangle in the picture over its perimeter, in pixels: the radius of its inscribed circle. Corners that
-    /// move by less than about this much do not turn it around. 0 where no part of it is in view.
+    /// Twice the area of a triangle in the picture over its perimeter, in pixels: the radius of its inscribed circle. Corners
+    /// that move by less than about this much do not turn it around. 0 where no part of it is in view.
     [[nodiscard]] double inscribedRadius(uint64_t triangle) const;
 
 private:
