@@ -257,7 +257,7 @@ TEST(PaintersOrder, millionCoplanarTrianglesAreSortedWithALookInEveryTenthOfASec
     CutTriangles triangles(*scene);
     const WatchedWork watched;
     const PaintersOrder order = paintersOrder(triangles, *scene, front({320, 240}), {});
-    EXPECT_LT(watched.longestGap(), 100.0);
+    EXPECT_LT(watched.longestGap(), fewSamples() ? 1000.0 : 100.0);
     EXPECT_GT(watched.steps(), scene->triangleCount());
     EXPECT_EQ(order.polygons.size(), scene->triangleCount());
     EXPECT_EQ(triangles.cuts(), 0u);
