@@ -67,6 +67,18 @@ std::string withoutRepetitions(const MeasureResult& result) {
                : "One repetition: the intervals are of the scatter between the views; no view has one of its own.";
 }
 
+/// What is lost: without pixels that the raster's snapping explains.
+uint64_t lostPixels(const Losses& losses) { return losses.beyondSnapping ? losses.missedBeyondSnapping : losses.missedPixels; }
+
+/// The pixels that differ and are no loss; empty: there are none.
+std::string withinSnapping(const RunMeasurement& run) {
+    const std::optional<Losses> losses = run.losses();
+    const uint64_t pixels = losses ? losses->missedPixels - lostPixels(*losses) : 0;
+    if (pixels == 0) return {};
+    return pixels == 1 ? "1 pixel differs within the raster's snapping, and is not lost"
+                       : fmt::format("{} pixels differ within the raster's snapping, and are not lost", pixels);
+}
+
 std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", baselineOf(role).id); }
 
 void printTable(const MeasureResult& result, FILE* out) {
@@ -84,8 +96,12 @@ void printTable(const MeasureResult& result, FILE* out) {
         say(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n", strategyLabel(run.strategy),
             promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall, ratioText(s.ratioToTriangles),
             ratioText(s.ratioToFrontFaces), s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
-            losses ? std::to_string(losses->missedPixels) : "-", losses ? std::to_string(losses->largestHolePixels) : "-");
+            losses ? std::to_string(lostPixels(*losses)) : "-",
+            losses ? std::to_string(lostPixels(*losses) == 0 ? 0 : losses->largestHolePixels) : "-");
     }
+    for (const RunMeasurement& run : result.runs)
+        if (const std::string snapped = withinSnapping(run); !snapped.empty())
+            say(out, "{}: {}\n", strategyLabel(run.strategy), snapped);
     if (const std::string note = withoutRepetitions(result); !note.empty()) say(out, "{}\n", note);
     for (const RunMeasurement& run : result.runs)
         if (const std::string used = usedParts(run); !used.empty()) say(out, "{} used {}\n", strategyLabel(run.strategy), used);

@@ -33,7 +33,8 @@ ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const J
     figures.missedBeyondSnapping = judged.missedBeyondSnapping;
     figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible()));
     std::vector<uint8_t> missed = missedMask(truth, judged.shown);
-    figures.lostObjects = lostObjects(scene, truth, missed);
+    // Where the raster's snapping explains all of them, no object lost any.
+    if (figures.lostPixels() > 0) figures.lostObjects = lostObjects(scene, truth, missed);
     figures.holes = holes(std::move(missed), truth.size);
     return figures;
 }

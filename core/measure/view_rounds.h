@@ -41,7 +41,7 @@ struct ViewFigures {
     std::optional<uint64_t> missedBeyondSnapping;
 
     std::shared_ptr<const TriangleStates> states;  ///< of every triangle of the shown frame, beside the truth
-    std::vector<Hole> holes;                       ///< largest first
+    std::vector<Hole> holes;                       ///< largest first; of all missed pixels
     std::vector<LostObject> lostObjects;           ///< most pixels first
     /// The promise at this camera, which may be weaker than the strategy's general promise.
     Promise promise = Promise::Approximate;

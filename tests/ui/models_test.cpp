@@ -102,11 +102,12 @@ TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
                 return model.index(row, 0).data().toString();
         return QStringLiteral("no such row");
     };
-    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("–"));
+    EXPECT_EQ(valueOf(QStringLiteral("– within snapping")), QStringLiteral("–"));
     figures.missedBeyondSnapping = 2;
     model.setFigures(0, figures);
-    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("2"));
-    EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
+    EXPECT_EQ(valueOf(QStringLiteral("Missed pixels")), QStringLiteral("2"));
+    EXPECT_EQ(valueOf(QStringLiteral("– within snapping")), QStringLiteral("5"));
+    EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("Within the raster's snapping, and not lost: 5")));
 }
 
 TEST(Models, fragmentsAreCountedApartFromTheTrianglesThatAreSubmitted) {
@@ -149,6 +150,21 @@ TEST(Wording, headerSaysSpeedupShareAndMissedPixels) {
     EXPECT_EQ(metricsLine(figures), QStringLiteral("…"));
     figures.state = ViewMetrics::State::Nothing;
     EXPECT_EQ(metricsLine(figures), QString());
+}
+
+TEST(Wording, pixelsWithinTheRastersSnappingAreNotMissedAndStatedApart) {
+    ViewMetrics figures = someFigures();
+    figures.accuracy.missedPixels = 3;
+    figures.accuracy.largestHolePixels = 1;
+    figures.missedBeyondSnapping = 0;
+    EXPECT_EQ(metricsLine(figures), QStringLiteral("×3.1 · 15 % · 0 missed"));
+    const QString sentence = missedSentence(figures);
+    EXPECT_TRUE(sentence.startsWith(QStringLiteral("Missed: 0 of "))) << sentence.toStdString();
+    EXPECT_TRUE(sentence.contains(QStringLiteral("largest hole 0"))) << sentence.toStdString();
+    EXPECT_TRUE(sentence.endsWith(QStringLiteral("Within the raster's snapping, and not lost: 3"))) << sentence.toStdString();
+    figures.missedBeyondSnapping.reset();
+    EXPECT_EQ(metricsLine(figures), QStringLiteral("×3.1 · 15 % · 3 missed"));
+    EXPECT_TRUE(snappedSentence(figures).isEmpty());
 }
 
 TEST(Wording, aShareIsNeverRoundedToNothingOrToAll) {

@@ -187,7 +187,7 @@ TEST(PointLabels, crowdedLabelsLieApartAndInside) {
     }
 }
 
-TEST(ResultTable, lossBeyondSnappingIsShown) {
+TEST(ResultTable, pixelsWithinSnappingAreNotMissedAndStandApart) {
     MeasureResult result = madeUpResult();
     RunMeasurement& backface = result.runs[1];
     backface.facing = Facing::Front;
@@ -196,9 +196,9 @@ TEST(ResultTable, lossBeyondSnappingIsShown) {
     backface.frames[1].missedBeyondSnapping = 3;
     ResultTableModel model;
     model.setRows(resultRows(result));
-    EXPECT_EQ(cell(model, 1, ResultTableModel::Missed), QStringLiteral("9"));
-    EXPECT_EQ(cell(model, 1, ResultTableModel::Beyond), QStringLiteral("3"));
-    EXPECT_EQ(cell(model, 2, ResultTableModel::Beyond), QStringLiteral("–"))
+    EXPECT_EQ(cell(model, 1, ResultTableModel::Missed), QStringLiteral("3"));
+    EXPECT_NE(cell(model, 1, ResultTableModel::Snapped), QStringLiteral("–"));
+    EXPECT_EQ(cell(model, 2, ResultTableModel::Snapped), QStringLiteral("–"))
         << "all of its loss is its own: nothing to tell apart";
 }
 

@@ -38,8 +38,8 @@ QString MetricsModel::title(int row) {
             return tr("Submitted in vain");
         case Missed:
             return tr("Missed pixels");
-        case Beyond:
-            return tr("– beyond snapping");
+        case Snapped:
+            return tr("– within snapping");
         case Hole:
             return tr("Largest hole");
         case Covered:
@@ -68,10 +68,11 @@ QString MetricsModel::explanation(int row) {
         case InVain:
             return tr("Submitted triangles that show in no pixel");
         case Missed:
-            return tr("Pixels in which the truth has a surface and this picture a farther one or none");
-        case Beyond:
             return tr(
-                "Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the "
+                "Pixels in which the truth has a surface and this picture a farther one or none; without those within snapping");
+        case Snapped:
+            return tr(
+                "Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the "
                 "truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself");
         case Hole:
             return tr("Pixels of the largest connected group of missed pixels");
@@ -110,11 +111,11 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
         case InVain:
             return countText(accuracy.needlesslyDrawnTriangles);
         case Missed:
-            return countText(accuracy.missedPixels);
-        case Beyond:
-            return figures.missedBeyondSnapping ? countText(*figures.missedBeyondSnapping) : QStringLiteral("–");
+            return countText(figures.lostPixels());
+        case Snapped:
+            return figures.missedBeyondSnapping ? countText(accuracy.missedPixels - figures.lostPixels()) : QStringLiteral("–");
         case Hole:
-            return countText(accuracy.largestHolePixels);
+            return countText(figures.lostPixels() == 0 ? 0 : accuracy.largestHolePixels);
         case Covered:
             return countText(accuracy.coveredPixels);
         default:

@@ -34,7 +34,7 @@ QString metricsLine(const ViewMetrics& figures) {
     const QString speed = figures.speedup ? speedText(*figures.speedup) : QStringLiteral("×…");
     //: Line 2 of a view's header: speed against the baseline, share of the triangles submitted, missed pixels.
     const QString line = QCoreApplication::translate("Wording", "%1 · %2 % · %3 missed")
-                             .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
+                             .arg(speed, percentText(figures.submittedShare()), countText(figures.lostPixels()));
     const QString held = figures.frame ? heldWords(figures.frame->log) : QString();
     return held.isEmpty() ? line : line + QStringLiteral(" · ") + held;
 }
@@ -46,9 +46,19 @@ QString speedSentence(const RatioEstimate& speed) {
 }
 
 QString missedSentence(const ViewMetrics& figures) {
-    return QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
-        .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
-             countText(figures.accuracy.largestHolePixels));
+    const uint64_t lost = figures.lostPixels();
+    const QString missed = QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
+                               .arg(countText(lost), countText(figures.accuracy.coveredPixels),
+                                    countText(lost == 0 ? 0 : figures.accuracy.largestHolePixels));
+    const QString explained = snappedSentence(figures);
+    return explained.isEmpty() ? missed : missed + QLatin1Char('\n') + explained;
+}
+
+QString snappedSentence(const ViewFigures& figures) {
+    const uint64_t explained = figures.accuracy.missedPixels - figures.lostPixels();
+    if (explained == 0) return {};
+    //: Pixels that differ from the truth's only because OpenGL rounds corners to 1/256 pixel.
+    return QCoreApplication::translate("Wording", "Within the raster's snapping, and not lost: %1").arg(countText(explained));
 }
 
 QString fragmentsSentence(const Submitted& submitted) {
@@ -72,9 +82,6 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
             lines << QCoreApplication::translate("Wording", "In force, to hold the frame time: %1")
                          .arg(heldWords(figures.frame->log));
         if (figures.submitted.fragments > 0) lines << fragmentsSentence(figures.submitted);
-        if (figures.missedBeyondSnapping)
-            lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")
-                         .arg(countText(*figures.missedBeyondSnapping));
         lines << QCoreApplication::translate("Wording", "Truth: item buffer of %1 × %2 pixels, %3")
                      .arg(figures.size.width)
                      .arg(figures.size.height)

@@ -11,8 +11,11 @@ namespace cullscope::ui {
 [[nodiscard]] QString heldWords(const FrameLog& log);
 /// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`, behind it the words above; "…" while the metrics are stale.
 [[nodiscard]] QString metricsLine(const ViewMetrics& figures);
-/// How many of the covered pixels are missed, and the largest hole. Of figures that are ready.
+/// How many of the covered pixels are lost, and the largest hole; on a second line the snappedSentence. Of figures that are
+/// ready.
 [[nodiscard]] QString missedSentence(const ViewMetrics& figures);
+/// How many pixels differ within the raster's snapping, which is no loss; empty: none.
+[[nodiscard]] QString snappedSentence(const ViewFigures& figures);
 /// All metrics that the header does not show, in several lines.
 [[nodiscard]] QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl);
 

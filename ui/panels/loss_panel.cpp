@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "core/measure/accuracy.h"
+#include "ui/models/metrics_words.h"
 #include "ui/session/object_pick.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -25,15 +26,11 @@ QString nothingLost(const Accuracy& accuracy) {
 
 QString lossOf(const ViewMetrics& figures) {
     const Accuracy& accuracy = figures.accuracy;
-    QStringList sentences{LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.",
-                                        "numbers of pixels")
-                              .arg(countText(accuracy.missedPixels), countText(accuracy.coveredPixels),
-                                   percentText(accuracy.missedPixelRate()), countText(figures.holes.size()),
-                                   countText(accuracy.largestHolePixels))};
-    if (figures.missedBeyondSnapping)
-        sentences << LossPanel::tr("Beyond what the raster's snapping of edges explains: %1.")
-                         .arg(countText(*figures.missedBeyondSnapping));
-    return sentences.join(QLatin1Char('\n'));
+    const double share = double(figures.lostPixels()) / double(std::max<uint64_t>(1, accuracy.coveredPixels));
+    return LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.",
+                         "numbers of pixels")
+        .arg(countText(figures.lostPixels()), countText(accuracy.coveredPixels), percentText(share),
+             countText(figures.holes.size()), countText(accuracy.largestHolePixels));
 }
 
 }  // namespace
@@ -81,7 +78,9 @@ QString LossPanel::summary() const {
         case ViewMetrics::State::Ready:
             break;
     }
-    return figures.accuracy.missedPixels == 0 ? nothingLost(figures.accuracy) : lossOf(figures);
+    const QString lost = figures.lostPixels() == 0 ? nothingLost(figures.accuracy) : lossOf(figures);
+    const QString explained = snappedSentence(figures);
+    return explained.isEmpty() ? lost : lost + QLatin1Char('\n') + explained;
 }
 
 void LossPanel::refresh() {

@@ -90,7 +90,7 @@ QString frameTable(const MeasureResult& result) {
         for (const FrameMeasurement& frame : run.frames)
             table += cells({runLabel(run.strategy), QString::number(frame.pose), locale.toString(frame.frameMilliseconds, 'f', 3),
                             locale.toString(frame.cullMilliseconds, 'f', 3), countText(frame.submitted.triangles),
-                            frame.accuracy ? countText(frame.accuracy->missedPixels) : QStringLiteral("–"),
+                            frame.accuracy ? countText(lostPixels(run, frame)) : QStringLiteral("–"),
                             frame.accuracy ? countText(frame.accuracy->coveredPixels) : QStringLiteral("–")},
                            QStringLiteral("td"));
     return table + QStringLiteral("</table></div>\n");

@@ -59,6 +59,17 @@ Promise promiseOf(const std::optional<std::string>& id) {
     return Promise::Approximate;
 }
 
+/// `missed`: all missed pixels, `beyond`: those of them that the raster's snapping does not explain, where it may explain some.
+/// `rate`: of `missed`.
+void countLoss(ResultRow& row, const std::optional<uint64_t>& missed, const std::optional<uint64_t>& beyond,
+               const std::optional<double>& rate) {
+    row.missedPixels = beyond ? beyond : missed;
+    if (missed && beyond) row.withinSnapping = *missed - *beyond;
+    if (!rate) return;
+    const double lost = beyond && missed && *missed > 0 ? double(*beyond) / double(*missed) : 1.0;
+    row.missedPpm = kMillion * *rate * lost;
+}
+
 ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     ResultRow row = emptyRow(strategy, promiseOf(measured.words("promise")));
     row.speedup = measured.estimate("ratio_to_backface");
@@ -68,10 +79,9 @@ ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     row.fpsMax = measured.number("fps_max");
     row.cullShare = measured.number("cull_share");
     if (const std::optional<double> culled = measured.number("culled_fraction")) row.submittedShare = 1.0 - *culled;
-    row.missedPixels = measured.count("missed_pixels");
-    row.missedBeyondSnapping = measured.count("missed_beyond_snapping");
-    if (const std::optional<double> rate = measured.number("missed_pixel_rate")) row.missedPpm = kMillion * *rate;
-    row.worstPose = measured.count("worst_pose");
+    countLoss(row, measured.count("missed_pixels"), measured.count("missed_beyond_snapping"),
+              measured.number("missed_pixel_rate"));
+    if (row.missedPixels != uint64_t{0}) row.worstPose = measured.count("worst_pose");
     return row;
 }
 
@@ -119,9 +129,7 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
             row.fpsOverall = 1000.0 / figures.frameMilliseconds;
             row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;
             row.submittedShare = figures.submittedShare();
-            row.missedPixels = figures.accuracy.missedPixels;
-            row.missedBeyondSnapping = figures.missedBeyondSnapping;
-            row.missedPpm = kMillion * figures.accuracy.missedPixelRate();
+            countLoss(row, figures.accuracy.missedPixels, figures.missedBeyondSnapping, figures.accuracy.missedPixelRate());
             row.promiseBroken = view.promise != Promise::Approximate && figures.lostPixels() > 0;
         }
         rows.push_back(std::move(row));
@@ -159,8 +167,8 @@ QString ResultTableModel::title(int column) {
             return tr("Submitted\ntriangles");
         case Missed:
             return tr("Missed\npixels");
-        case Beyond:
-            return tr("Beyond\nsnapping");
+        case Snapped:
+            return tr("Within\nsnapping");
         case MissedPpm:
             return tr("Missed per\nmillion");
         case Worst:
@@ -190,10 +198,10 @@ QString ResultTableModel::explanation(int column) {
             return tr("Share of the scene's triangles given to OpenGL, mean over the views");
         case Missed:
             return tr("Pixels of all views in which the truth has a surface and the strategy a farther one or none");
-        case Beyond:
+        case Snapped:
             return tr(
-                "Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the "
-                "strategy draws front faces only and the truth both sides");
+                "Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the "
+                "truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself");
         case MissedPpm:
             return tr("Missed pixels in a million pixels in which the truth has a surface");
         case Worst:
@@ -209,8 +217,6 @@ QString ResultTableModel::rowExplanation(const ResultRow& row, int column) {
         if (row.promiseBroken) text += QLatin1Char('\n') + tr("It lost pixels: the promise is broken.");
         return text;
     }
-    if (column == Missed && row.missedBeyondSnapping)
-        return tr("%1 of them beyond the raster's snapping to 1/256 pixel").arg(countText(*row.missedBeyondSnapping));
     return explanation(column);
 }
 
@@ -232,8 +238,8 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
             return percent(row.submittedShare);
         case Missed:
             return row.missedPixels ? countText(*row.missedPixels) : QString();
-        case Beyond:
-            return row.missedBeyondSnapping ? countText(*row.missedBeyondSnapping) : QString();
+        case Snapped:
+            return row.withinSnapping ? countText(*row.withinSnapping) : QString();
         case MissedPpm:
             return row.missedPpm ? ppmText(*row.missedPpm) : QString();
         case Worst:

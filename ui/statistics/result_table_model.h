@@ -27,9 +27,10 @@ struct ResultRow {
     std::optional<RatioEstimate> speedup, speedupOverTriangles;  ///< over `backface` and over `all`
     std::optional<double> fpsOverall, fpsMin, fpsMax;
     std::optional<double> cullShare, submittedShare;
-    std::optional<uint64_t> missedPixels, missedBeyondSnapping;
-    std::optional<double> missedPpm;
-    std::optional<size_t> worstPose;  ///< pose with the most missed pixels; none if no pixel is missed
+    std::optional<uint64_t> missedPixels;    ///< that are lost: without those that the raster's snapping explains
+    std::optional<uint64_t> withinSnapping;  ///< those; none: it cannot explain any
+    std::optional<double> missedPpm;         ///< of the lost ones
+    std::optional<size_t> worstPose;         ///< pose with the most missed pixels; none if no pixel is lost
 };
 
 /// The rows of a sweep's table (sweepExperiment), each strategy once, though several sweeps contain it.
@@ -52,7 +53,7 @@ public:
         CullShare,
         Submitted,
         Missed,
-        Beyond,
+        Snapped,
         MissedPpm,
         Worst,
         ColumnCount

@@ -14,13 +14,15 @@ constexpr double kPartsPerMillion = 1e6;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr double kLeastLossShare = 0.2;
 
-PoseFigures poseFigures(const FrameMeasurement& frame, const MeasureResult& result) {
+double ppmOf(uint64_t lost, uint64_t covered) { return covered > 0 ? kPartsPerMillion * double(lost) / double(covered) : 0.0; }
+
+PoseFigures poseFigures(const FrameMeasurement& frame, const RunMeasurement& run, const MeasureResult& result) {
     PoseFigures figures;
     figures.pose = frame.pose;
     figures.frameMilliseconds = frame.frameMilliseconds;
     if (frame.accuracy) {
-        figures.missedPixels = frame.accuracy->missedPixels;
-        figures.missedPpm = kPartsPerMillion * frame.accuracy->missedPixelRate();
+        figures.missedPixels = lostPixels(run, frame);
+        figures.missedPpm = ppmOf(figures.missedPixels, frame.accuracy->coveredPixels);
     }
     const Vec3 direction = result.request.path.poses.at(frame.pose).eye - result.request.scene->boundingSphere().centre;
     figures.azimuth = kDegrees * std::atan2(direction.x, direction.z);
@@ -29,6 +31,11 @@ PoseFigures poseFigures(const FrameMeasurement& frame, const MeasureResult& resu
 }
 
 }  // namespace
+
+uint64_t lostPixels(const RunMeasurement& run, const FrameMeasurement& frame) {
+    const bool explained = frame.ownRaster || run.facing != run.referenceFacing;
+    return explained || !frame.accuracy ? frame.missedBeyondSnapping : frame.accuracy->missedPixels;
+}
 
 QString runLabel(const StrategyRequest& strategy) { return QString::fromStdString(strategyLabel(strategy)); }
 
@@ -46,8 +53,10 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;
         figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;
         figures.speedup = run.summary.ratioToFrontFaces;
-        if (run.summary.missedPixelRate) figures.missedPpm = kPartsPerMillion * *run.summary.missedPixelRate;
-        for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, result));
+        if (const std::optional<Losses> losses = run.losses())
+            figures.missedPpm =
+                ppmOf(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels, losses->coveredPixels);
+        for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, run, result));
         all.push_back(std::move(figures));
     }
     return all;

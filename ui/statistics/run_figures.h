@@ -40,6 +40,9 @@ struct RunFigures {
 /// What the plots show of a result; runs without a measured pose are left out.
 [[nodiscard]] std::vector<RunFigures> runFigures(const MeasureResult& result);
 
+/// The missed pixels of a frame of a run that count as lost: without those that the raster's snapping explains.
+[[nodiscard]] uint64_t lostPixels(const RunMeasurement& run, const FrameMeasurement& frame);
+
 /// Where on a scale from 0 (nothing missed) to 1 (a tenth of all pixels) a loss stands; logarithmic, and never near 0 where
 /// something is missed.
 [[nodiscard]] double lossShare(double missedPpm);

@@ -96,7 +96,11 @@ QString ViewPane::chipText() const {
     if (const QString sets = visibleSets(); !sets.isEmpty()) parts << sets;
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
     if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size() && !setup.look.inPlace())
-        parts << tr("loss %1 of %2, pixels: %3").arg(*loss + 1).arg(holes.size()).arg(countText(holes[*loss].pixels));
+        parts << (m_session.figures(m_view).lostPixels() > 0 ? tr("loss %1 of %2, pixels: %3")
+                                                             : tr("difference within snapping %1 of %2, pixels: %3"))
+                     .arg(*loss + 1)
+                     .arg(holes.size())
+                     .arg(countText(holes[*loss].pixels));
     return parts.join(QStringLiteral(" · "));
 }
 
