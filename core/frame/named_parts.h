@@ -27,8 +27,8 @@ struct NamedParts {
 
     OwnTrianglesPointer own;          ///< null: the frame drew none, and every part is a whole object
     std::vector<Part> parts;          ///< by object, then by number
-    std::vector<std::string> places;  ///< such as the leaves of a tree; empty: the strategy has none, or too many
-    size_t leaves = 0;                ///< how many places there are, named or not
+    std::vector<std::string> places;  ///< the leaves of a tree, then planes in which parts lie; empty: it has none, or too many
+    size_t leaves = 0;                ///< how many leaves there are, named or not
 
     /// Whether an object has several parts.
     [[nodiscard]] bool divides() const;

@@ -54,8 +54,9 @@ BspCells cellsOf(const BspTree& tree, size_t planes) {
 
 std::string nodeName(const BspTree& tree, const BspCells& cells, const Scene& scene, uint32_t node) {
     if (!cells.leaves.empty() && !cells.leafOf[node]) return scene.planes()[tree.nodes()[node].depth].name;
-    const bool isLeaf = cells.leafOf[node] && cells.leaves[*cells.leafOf[node]] == node;
-    return isLeaf ? BspCells::leafName(*cells.leafOf[node]) : std::to_string(node);
+    if (!cells.leafOf[node]) return std::to_string(node);
+    const size_t leaf = *cells.leafOf[node];
+    return BspCells::leafName(leaf) + (cells.leaves[leaf] == node ? std::string() : "." + std::to_string(node));
 }
 
 std::vector<Vec3> planeInCell(const BspTree& tree, uint32_t number, const Box3& box) {

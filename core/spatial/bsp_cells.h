@@ -23,7 +23,7 @@ struct BspCells {
 /// `planes`: how many levels of given planes the tree has (BspPlane::Given); 0: every node is a cell of its own.
 [[nodiscard]] BspCells cellsOf(const BspTree& tree, size_t planes);
 
-/// A given plane's name, or that of the leaf below all of them; else the node's number.
+/// A given plane's name, or that of the leaf below all of them, or C1.7: node 7 of those that leaf C1 has; else its number.
 [[nodiscard]] std::string nodeName(const BspTree& tree, const BspCells& cells, const Scene& scene, uint32_t node);
 
 /// The outline of the part of a node's plane that lies in its cell and in a box; empty where there is none. Rounded.

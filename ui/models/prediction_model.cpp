@@ -32,10 +32,14 @@ QString PredictionModel::itemText(uint64_t item) const {
     return QString::fromStdString(m_scene->instances()[item].name);
 }
 
+QString PredictionModel::placeName(const NamedParts& parts, size_t place) {
+    const QString name = QString::fromStdString(parts.places[place]);
+    return place < parts.leaves ? name : tr("in %1", "a plane that divides space, in which a polygon lies").arg(name);
+}
+
 QString PredictionModel::placeText(const std::optional<size_t>& place) const {
     if (m_prediction.question == Prediction::Question::Vanish) return place == 1 ? tr("vanishes") : tr("is drawn");
-    if (m_prediction.question == Prediction::Question::Place)
-        return place ? QString::fromStdString(m_parts->places[*place]) : QStringLiteral("–");
+    if (m_prediction.question == Prediction::Question::Place) return place ? placeName(*m_parts, *place) : QStringLiteral("–");
     return place ? countText(*place) : QStringLiteral("–");
 }
 

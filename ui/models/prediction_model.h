@@ -22,6 +22,8 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// How a place (NamedParts::places) is called among answers: "C1", of a plane "in P1".
+    [[nodiscard]] static QString placeName(const NamedParts& parts, size_t place);
     /// "Right: 3 of 4".
     [[nodiscard]] QString score() const;
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "ui/look/wheel_guard.h"
+#include "ui/models/prediction_model.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -118,7 +119,7 @@ void QuestionBar::refreshPlaces() {
     m_place->setVisible(asks);
     if (!asks) return;
     QStringList names{QStringLiteral("–")};
-    for (const std::string& name : parts->places) names << QString::fromStdString(name);
+    for (size_t place = 0; place < parts->places.size(); ++place) names << PredictionModel::placeName(*parts, place);
     m_place->clear();
     m_place->addItems(names);
     m_place->setEnabled(!question.items.empty());

@@ -9,6 +9,22 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+std::string nameOf(const SnapshotNode& row) { return row.name.empty() ? std::to_string(row.number) : row.name; }
+
+/// The place that a group of the tree stands for: its own, or that of the leaf in which it lies.
+std::optional<size_t> placeOf(const NamedParts& parts, const StructureSnapshot& snapshot, size_t node) {
+    for (auto row = int32_t(node); row >= 0; row = snapshot.nodes[size_t(row)].parent) {
+        const auto found = std::ranges::find(parts.places, nameOf(snapshot.nodes[size_t(row)]));
+        const auto place = size_t(found - parts.places.begin());
+        if (found != parts.places.end() && (row == int32_t(node) || place < parts.leaves)) return place;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 QuestionFirst::QuestionFirst(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     // Other objects have other numbers.
     connect(&session, &Session::sceneChanged, this, &QuestionFirst::withdraw);
@@ -34,7 +50,7 @@ Prediction::Items QuestionFirst::usualItems() const {
 void QuestionFirst::answerBy(const BuiltStrategy& strategy, const StructureSnapshot& snapshot, size_t node) {
     if (!m_session.question()) return;
     if (m_session.question()->question == Prediction::Question::Place) {
-        if (m_session.questionParts()) answerPlaceBy(snapshot.nodes[node]);
+        if (m_session.questionParts()) answerPlaceBy(snapshot, node);
         return;
     }
     const std::vector<uint64_t> items = itemsBelow(strategy, snapshot, node);
@@ -43,16 +59,29 @@ void QuestionFirst::answerBy(const BuiltStrategy& strategy, const StructureSnaps
     m_session.setQuestion(named);
 }
 
-void QuestionFirst::answerPlaceBy(const SnapshotNode& row) {
+void QuestionFirst::answerPlaceBy(const StructureSnapshot& snapshot, size_t node) {
     const NamedParts& parts = *m_session.questionParts();
+    if (parts.places.empty()) return;
+    const auto say = [this](const char* why, const std::vector<std::string>& arguments = {}) {
+        m_session.raise(Severity::Information, {why, arguments});
+    };
     Prediction placed = *m_session.question();
+    const SnapshotNode& row = snapshot.nodes[node];
     if (row.isGroup()) {
-        const auto found = std::ranges::find(parts.places, row.name.empty() ? std::to_string(row.number) : row.name);
-        if (found != parts.places.end() && !placed.items.empty()) place(size_t(found - parts.places.begin()));
-        return;
+        if (placed.items.empty()) return say(QT_TRANSLATE_NOOP("core", "First click the part, then the leaf in which it lies."));
+        if (const std::optional<size_t> found = placeOf(parts, snapshot, node)) return place(*found);
+        return say(QT_TRANSLATE_NOOP("core", "%1 is no answer here: the list beside the question has all of them."),
+                   {nameOf(row)});
     }
-    // An object that is one part.
-    if (std::ranges::count(parts.parts, row.instance, &NamedParts::Part::object) != 1) return;
+    const std::string& object = m_session.scene()->instances()[row.instance].name;
+    switch (std::ranges::count(parts.parts, row.instance, &NamedParts::Part::object)) {
+        case 0:
+            return say(QT_TRANSLATE_NOOP("core", "Nothing of %1 is drawn: it lies nowhere."), {object});
+        case 1:
+            break;
+        default:
+            return say(QT_TRANSLATE_NOOP("core", "%1 has several parts: click one of them in a view."), {object});
+    }
     const auto found = std::ranges::find(parts.parts, row.instance, &NamedParts::Part::object);
     placed.toggle(uint64_t(found - parts.parts.begin()));
     m_session.setQuestion(placed);

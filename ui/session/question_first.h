@@ -49,8 +49,9 @@ private:
     /// Reads the parts of the active view's frame, where the open question may be about them.
     void readParts();
     void take(const NamedPartsPointer& parts);
-    /// Answers a question about places by a row of the tree: a leaf, or an object, which is named.
-    void answerPlaceBy(const SnapshotNode& row);
+    /// Answers a question about places by a row of the tree: a leaf, what lies in it, a plane in which something lies, or an
+    /// object, which is named. Says why another row is no answer.
+    void answerPlaceBy(const StructureSnapshot& snapshot, size_t node);
     /// What a question may be about.
     [[nodiscard]] static NamedParts partsFor(Prediction::Question question, const BuiltStrategy& strategy, const FrameLog& log);
     [[nodiscard]] Prediction::Items usualItems() const;

@@ -4,6 +4,7 @@
 
 #include "core/scene/eye_triangle.h"
 #include "ui/look/in_hand.h"
+#include "ui/models/prediction_model.h"
 
 namespace cullscope::ui {
 
@@ -130,7 +131,8 @@ QString markText(const Prediction& prediction, const NamedParts* parts, size_t p
     if (prediction.question == Prediction::Question::Order) return QString::number(place + 1);
     if (prediction.question == Prediction::Question::Vanish || !parts) return QStringLiteral("✗");
     const std::optional<size_t> expected = place < prediction.places.size() ? prediction.places[place] : std::nullopt;
-    const std::string where = expected && *expected < parts->places.size() ? parts->places[*expected] : "?";
+    const bool known = expected && *expected < parts->places.size();
+    const std::string where = known ? PredictionModel::placeName(*parts, *expected).toStdString() : "?";
     return QString::fromStdString(parts->parts[prediction.items[place]].name + ": " + where);
 }
 

@@ -1,6 +1,7 @@
 #include "core/visibility/ordering/named_subjects.h"
 
 #include <algorithm>
+#include <map>
 
 namespace cullscope::ordering {
 namespace {
@@ -23,13 +24,24 @@ NamedParts partsInCells(const Scene& scene, const FrameLog& log, const BspTree& 
         return unnamed;
     }
     const BspCells cells = cellsOf(tree, planes);
+    const size_t leaves = planes > 0 ? cells.leaves.size() : nodes;
+    // Polygons that lie in a given plane are kept above the leaves: behind the leaves, that plane is a place, too.
+    std::map<uint32_t, size_t> placeOfPlane;
+    for (uint32_t node = 0; planes > 0 && node < nodes; ++node)
+        if (!cells.leafOf[node] && !tree.partsOf(tree.nodes()[node]).empty())
+            placeOfPlane.try_emplace(tree.nodes()[node].depth, 0);
+    for (size_t next = leaves; auto& [plane, place] : placeOfPlane) place = next++;
     NamedParts result = namedParts(scene, log, [&](const Decision& fragment) {
         const auto node = uint32_t(fragment.operands[nodeOperand]);
-        return PartKey{cells.rank[cells.cellOf(node)], planes > 0 ? cells.leafOf[node] : node};
+        const auto place = planes == 0          ? std::optional<size_t>(node)
+                           : cells.leafOf[node] ? cells.leafOf[node]
+                                                : std::optional(placeOfPlane.at(tree.nodes()[node].depth));
+        return PartKey{cells.rank[cells.cellOf(node)], place};
     });
-    result.leaves = planes > 0 ? cells.leaves.size() : nodes;
-    for (size_t place = 0; place < result.leaves; ++place)
+    result.leaves = leaves;
+    for (size_t place = 0; place < leaves; ++place)
         result.places.push_back(planes > 0 ? BspCells::leafName(place) : nodeName(tree, cells, scene, uint32_t(place)));
+    for (const auto& [plane, place] : placeOfPlane) result.places.push_back(scene.planes()[plane].name);
     return result;
 }
 

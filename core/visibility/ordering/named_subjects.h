@@ -23,8 +23,9 @@ struct PolygonsInHand final : DecisionDetail {
 };
 
 /// The parts of a frame that walked a tree, by the cells in which they lie: an object's polygons in one cell are a part, and the
-/// cells are the places. Cells are the leaves below so many given planes; without those the nodes, each of which has its own
-/// polygons, where there are few. `nodeOperand`: of a drawn part's decision.
+/// cells are the places. Cells are the leaves below so many given planes, and then each plane in which a polygon lies, by its
+/// name; without given planes the nodes, each of which has its own polygons, where there are few. `nodeOperand`: of a drawn
+/// part's decision.
 [[nodiscard]] NamedParts partsInCells(const Scene& scene, const FrameLog& log, const BspTree& tree, size_t planes,
                                       size_t nodeOperand);
 
