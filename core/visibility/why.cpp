@@ -4,6 +4,7 @@
 
 #include "core/frame/entry_words.h"
 #include "core/scene/eye_triangle.h"
+#include "core/visibility/triangle_states.h"
 
 namespace cullscope {
 namespace {
@@ -147,6 +148,23 @@ const char* lastSentence(bool given, bool ownPicture) {
     return given ? CULLSCOPE_TR("The triangle is given to OpenGL.") : CULLSCOPE_TR("The triangle is not given to OpenGL.");
 }
 
+/// At a step: what the frame has of a triangle so far; `given`: drawn. None: it is decided to be left out, or was drawn.
+std::optional<Message> soFar(const Scene& scene, const FrameLog& log, uint64_t triangle, bool given) {
+    const auto parts = std::ranges::count_if(log.decisions, [&](const Decision& decision) {
+        return decision.subject.kind == Subject::Kind::Fragment && decision.subject.number == triangle &&
+               decision.places.count > 0;
+    });
+    if (given && parts > 0)
+        return Message{CULLSCOPE_TR("Up to this step it is drawn, as a whole or in part; pieces: %1."), {std::to_string(parts)}};
+    if (given) return std::nullopt;
+    const TriangleState state = triangleStates(scene, log, std::nullopt).states[triangle];
+    if (state == TriangleState::Undecided)
+        return Message{CULLSCOPE_TR("Up to this step nothing of it is decided, and nothing of it is drawn."), {}};
+    if (state == TriangleState::Visible)
+        return Message{CULLSCOPE_TR("Up to this step it is decided to be drawn, and nothing of it is drawn yet."), {}};
+    return std::nullopt;
+}
+
 bool submits(const DrawList& list, const Scene& scene, uint32_t instance, uint64_t triangle) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     return std::any_of(list.ranges.begin(), list.ranges.end(), [&](const DrawRange& range) {
@@ -225,6 +243,11 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
         return steps;
     }
     const bool given = submits(drawn, scene, instance, own);
+    if (!log.whole)
+        if (std::optional<Message> words = soFar(scene, log, triangle, given)) {
+            steps.push_back({std::move(*words), {}, {}, {}, Containment::Straddles});
+            return steps;
+        }
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     const bool ownPicture = std::ranges::any_of(
         log.commands, [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });

@@ -332,10 +332,6 @@
         <translation>OpenGL: %1</translation>
     </message>
     <message>
-        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
-        <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
-    </message>
-    <message>
         <source>Submitted in %1 fragments that the strategy made of them</source>
         <translation>전략이 만든 삼각형 조각 %1개로 제출</translation>
     </message>
@@ -347,6 +343,11 @@
     <message>
         <source>In force, to hold the frame time: %1</source>
         <translation>프레임 시간을 지키려고 지금 쓰는 값: %1</translation>
+    </message>
+    <message>
+        <source>Within the raster&apos;s snapping, and not lost: %1</source>
+        <extracomment>Pixels that differ from the truth&apos;s only because OpenGL rounds corners to 1/256 pixel.</extracomment>
+        <translation>래스터의 맞춤 안에 있어 잃은 것이 아님: %1</translation>
     </message>
 </context>
 <context>
@@ -2584,10 +2585,6 @@
         <translation>스팬</translation>
     </message>
     <message>
-        <source>In this row %1 depths were compared, where a depth buffer compares %2; %3 spans were filled.</source>
-        <translation>이 행에서 깊이 %1개를 비교함. 깊이 버퍼라면 %2개를 비교합니다. 스팬 %3개를 채웠습니다.</translation>
-    </message>
-    <message>
         <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is nearer.</source>
         <translation>%1열에서 면이 시작함. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 더 가깝습니다.</translation>
     </message>
@@ -3680,10 +3677,6 @@
         <translation>표본 %1개에서 더 가깝고, 그중 %2개에서는 첫 번째 면입니다. 거기서 깊이 %3이(가) 저장된 %4보다 큽니다: 그립니다.</translation>
     </message>
     <message>
-        <source>In row %1 there are %2 active edges, of %3 surfaces.</source>
-        <translation>%1행에는 면 %3개의 활성 모서리가 %2개 있습니다.</translation>
-    </message>
-    <message>
         <source>Columns %1 to %2 are filled with it.</source>
         <translation>%1열부터 %2열까지 이 면으로 채웁니다.</translation>
     </message>
@@ -4356,10 +4349,6 @@
         <translation>모서리가 %1개를 넘어 낱개 생략</translation>
     </message>
     <message>
-        <source>In row %1 there are %2 active edges, of %3 surfaces, at x = %4.</source>
-        <translation>%1행에는 면 %3개의 활성 모서리가 %2개 있습니다. x = %4.</translation>
-    </message>
-    <message>
         <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
         <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열에서 시작합니다.</translation>
     </message>
@@ -4768,6 +4757,22 @@
         <translation>스레드가 부족하여 OpenGL을 시작할 수 없습니다. 다른 프로그램을 닫거나 이 프로그램에 스레드를 더 허용하세요(ulimit -u).</translation>
     </message>
     <message>
+        <source>First click the part, then the leaf in which it lies.</source>
+        <translation>먼저 부분을 클릭한 다음 그것이 놓인 잎을 클릭하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is no answer here: the list beside the question has all of them.</source>
+        <translation>%1 - 여기서는 답이 될 수 없습니다. 질문 옆의 목록에 답이 모두 있습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 is drawn: it lies nowhere.</source>
+        <translation>%1 - 그려지는 것이 없어 어디에도 놓이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has several parts: click one of them in a view.</source>
+        <translation>%1 - 부분이 여러 개입니다. 뷰에서 그중 하나를 클릭하십시오.</translation>
+    </message>
+    <message>
         <source>Triangles of the scene are drawn: %1 (ranges: %2)</source>
         <translation>장면의 삼각형을 그림: %1개 (범위: %2개)</translation>
     </message>
@@ -4806,6 +4811,30 @@
     <message>
         <source>No surface reaches here: nothing is compared, and nothing is filled.</source>
         <translation>여기에 이르는 면이 없습니다. 비교하는 것도 채우는 것도 없습니다.</translation>
+    </message>
+    <message>
+        <source>Up to this step it is drawn, as a whole or in part; pieces: %1.</source>
+        <translation>이 단계까지 전체 또는 일부가 그려졌습니다. 조각: %1개.</translation>
+    </message>
+    <message>
+        <source>Up to this step nothing of it is decided, and nothing of it is drawn.</source>
+        <translation>이 단계까지 그것에 대해 결정된 것도 그려진 것도 없습니다.</translation>
+    </message>
+    <message>
+        <source>Up to this step it is decided to be drawn, and nothing of it is drawn yet.</source>
+        <translation>이 단계까지 그리기로 결정되었지만 아직 그려진 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>Depths compared in this row: %1, by a depth buffer: %2; spans filled: %3.</source>
+        <translation>이 행에서 비교한 깊이: %1개, 깊이 버퍼라면: %2개. 채운 스팬: %3개.</translation>
+    </message>
+    <message>
+        <source>In row %1 there are active edges: %2; surfaces: %3.</source>
+        <translation>%1행의 활성 모서리: %2개, 면: %3개.</translation>
+    </message>
+    <message>
+        <source>In row %1 there are active edges: %2; surfaces: %3. They lie at x = %4.</source>
+        <translation>%1행의 활성 모서리: %2개, 면: %3개. x = %4.</translation>
     </message>
 </context>
 <context>
@@ -5503,10 +5532,6 @@ OpenGL %2
         <translation>이 뷰에서 덮인 픽셀 %1개 중 0개를 잃었습니다. 뷰 하나로는 약 %1개 중 3개(%2 %)보다 드문 손실을 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Beyond what the raster&apos;s snapping of edges explains: %1.</source>
-        <translation>래스터의 가장자리 맞춤으로 설명되지 않는 픽셀: %1.</translation>
-    </message>
-    <message>
         <source>There is no scene.</source>
         <translation>장면이 없습니다.</translation>
     </message>
@@ -5670,20 +5695,12 @@ OpenGL %2
         <translation>제출했지만 어느 픽셀에도 보이지 않는 삼각형</translation>
     </message>
     <message>
-        <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
-        <translation>참값에는 면이 있으나 이 그림에는 더 먼 면이 있거나 아무것도 없는 픽셀</translation>
-    </message>
-    <message>
         <source>Pixels of the largest connected group of missed pixels</source>
         <translation>놓친 픽셀이 이어진 가장 큰 무리의 픽셀 수</translation>
     </message>
     <message>
         <source>Pixels in which the truth has a surface</source>
         <translation>참값에 면이 있는 픽셀</translation>
-    </message>
-    <message>
-        <source>– beyond snapping</source>
-        <translation>– 맞춤을 넘는 것</translation>
     </message>
     <message>
         <source>Submitted in vain</source>
@@ -5694,10 +5711,6 @@ OpenGL %2
         <translation>일부라도 그린 장면의 삼각형. 각각 한 번만 셉니다</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
-        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
-    </message>
-    <message>
         <source>Speed against %1</source>
         <comment>a strategy</comment>
         <translation>%1 대비 속도</translation>
@@ -5705,6 +5718,18 @@ OpenGL %2
     <message>
         <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
         <translation>같은 카메라에서 번갈아 잰 %1 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
+    </message>
+    <message>
+        <source>– within snapping</source>
+        <translation>– 맞춤 안의 것</translation>
+    </message>
+    <message>
+        <source>Pixels in which the truth has a surface and this picture a farther one or none; without those within snapping</source>
+        <translation>참값에는 면이 있고 이 그림에는 더 먼 면이 있거나 없는 픽셀. 맞춤 안의 픽셀은 빼고 셉니다</translation>
+    </message>
+    <message>
+        <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추기 때문에만 다른 픽셀이며 손실이 아닙니다. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6092,11 @@ OpenGL %2
         <source>Part</source>
         <translation>조각</translation>
     </message>
+    <message>
+        <source>in %1</source>
+        <comment>a plane that divides space, in which a polygon lies</comment>
+        <translation>%1 안</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionBar</name>
@@ -6285,20 +6315,6 @@ view</source>
         <translation>픽셀을 잃었습니다: 보장이 깨졌습니다.</translation>
     </message>
     <message>
-        <source>%1 of them beyond the raster&apos;s snapping to 1/256 pixel</source>
-        <translation>그중 %1개는 래스터가 1/256픽셀로 맞추는 것을 넘음</translation>
-    </message>
-    <message>
-        <source>Beyond
-snapping</source>
-        <translation>맞춤을
-넘는 것</translation>
-    </message>
-    <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
-    </message>
-    <message>
         <source>Speed against
 %1 [95 %]</source>
         <comment>a strategy</comment>
@@ -6309,6 +6325,16 @@ snapping</source>
         <source>Total time of %1 over the views divided by this strategy&apos;s, with its 95 % interval</source>
         <comment>a strategy</comment>
         <translation>모든 시점에서 %1의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
+    </message>
+    <message>
+        <source>Within
+snapping</source>
+        <translation>맞춤
+안의 것</translation>
+    </message>
+    <message>
+        <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추기 때문에만 다른 픽셀이며 손실이 아닙니다. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
     </message>
 </context>
 <context>
@@ -7218,6 +7244,10 @@ snapping</source>
         <source>missed pixels: %1, nearer than the truth: %2</source>
         <translation>놓친 픽셀: %1, 참값보다 가까운 픽셀: %2</translation>
     </message>
+    <message>
+        <source>difference within snapping %1 of %2, pixels: %3</source>
+        <translation>맞춤 안의 차이 %1/%2, 픽셀: %3</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7266,6 +7296,10 @@ snapping</source>
     <message>
         <source>In grey: not tested by the strategy for this object alone; worked out here from its own box.</source>
         <translation>회색: 전략이 이 물체만으로는 검사하지 않은 평면으로, 물체 자신의 상자에서 여기서 계산했습니다.</translation>
+    </message>
+    <message>
+        <source>drawn, or decided to be drawn</source>
+        <translation>그려졌거나 그리기로 결정됨</translation>
     </message>
 </context>
 <context>

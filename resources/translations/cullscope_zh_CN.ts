@@ -332,10 +332,6 @@
         <translation>OpenGL：%1</translation>
     </message>
     <message>
-        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
-        <translation>丢失像素中无法用光栅 1/256 像素对齐解释的：%1</translation>
-    </message>
-    <message>
         <source>Submitted in %1 fragments that the strategy made of them</source>
         <translation>以策略生成的 %1 个三角形碎片提交</translation>
     </message>
@@ -347,6 +343,11 @@
     <message>
         <source>In force, to hold the frame time: %1</source>
         <translation>为保持帧时间而当前生效的值：%1</translation>
+    </message>
+    <message>
+        <source>Within the raster&apos;s snapping, and not lost: %1</source>
+        <extracomment>Pixels that differ from the truth&apos;s only because OpenGL rounds corners to 1/256 pixel.</extracomment>
+        <translation>在光栅的对齐误差之内，不算丢失：%1</translation>
     </message>
 </context>
 <context>
@@ -2584,10 +2585,6 @@
         <translation>扫描段</translation>
     </message>
     <message>
-        <source>In this row %1 depths were compared, where a depth buffer compares %2; %3 spans were filled.</source>
-        <translation>此行比较了 %1 个深度，而深度缓冲要比较 %2 个；填充了 %3 个扫描段。</translation>
-    </message>
-    <message>
         <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is nearer.</source>
         <translation>在第 %1 列有一个表面开始。其深度 %2 与最前表面的深度 %3 比较：它更近。</translation>
     </message>
@@ -3680,10 +3677,6 @@
         <translation>它在 %1 个样本上更近，其中 %2 个此前没有表面。该处其深度 %3 大于已存的 %4：绘制。</translation>
     </message>
     <message>
-        <source>In row %1 there are %2 active edges, of %3 surfaces.</source>
-        <translation>第 %1 行有 %3 个表面的 %2 条活动边。</translation>
-    </message>
-    <message>
         <source>Columns %1 to %2 are filled with it.</source>
         <translation>用它填充第 %1 列到第 %2 列。</translation>
     </message>
@@ -4356,10 +4349,6 @@
         <translation>边超过 %1 条，不逐条记录</translation>
     </message>
     <message>
-        <source>In row %1 there are %2 active edges, of %3 surfaces, at x = %4.</source>
-        <translation>第 %1 行有 %3 个表面的 %2 条活动边，位于 x = %4。</translation>
-    </message>
-    <message>
         <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
         <translation>它的一条边是活动的：在第 %1 行位于 x = %2，三角形从第 %3 列开始。</translation>
     </message>
@@ -4768,6 +4757,22 @@
         <translation>线程不足，无法启动 OpenGL。请关闭其他程序，或允许本程序使用更多线程（ulimit -u）。</translation>
     </message>
     <message>
+        <source>First click the part, then the leaf in which it lies.</source>
+        <translation>请先点击部分，再点击它所在的叶子。</translation>
+    </message>
+    <message>
+        <source>%1 is no answer here: the list beside the question has all of them.</source>
+        <translation>%1 在这里不是答案：问题旁边的列表列出了所有答案。</translation>
+    </message>
+    <message>
+        <source>Nothing of %1 is drawn: it lies nowhere.</source>
+        <translation>%1 没有任何部分被绘制：它不在任何位置。</translation>
+    </message>
+    <message>
+        <source>%1 has several parts: click one of them in a view.</source>
+        <translation>%1 有多个部分：请在视图中点击其中一个。</translation>
+    </message>
+    <message>
         <source>Triangles of the scene are drawn: %1 (ranges: %2)</source>
         <translation>绘制场景的三角形：%1 个（区间：%2 个）</translation>
     </message>
@@ -4806,6 +4811,30 @@
     <message>
         <source>No surface reaches here: nothing is compared, and nothing is filled.</source>
         <translation>没有表面到达这里：不比较，也不填充。</translation>
+    </message>
+    <message>
+        <source>Up to this step it is drawn, as a whole or in part; pieces: %1.</source>
+        <translation>到这一步为止，它已全部或部分绘制；块数：%1。</translation>
+    </message>
+    <message>
+        <source>Up to this step nothing of it is decided, and nothing of it is drawn.</source>
+        <translation>到这一步为止，对它尚未作出任何决定，也未绘制它的任何部分。</translation>
+    </message>
+    <message>
+        <source>Up to this step it is decided to be drawn, and nothing of it is drawn yet.</source>
+        <translation>到这一步为止，已决定绘制它，但尚未绘制任何部分。</translation>
+    </message>
+    <message>
+        <source>Depths compared in this row: %1, by a depth buffer: %2; spans filled: %3.</source>
+        <translation>此行比较的深度：%1 个，深度缓冲则为 %2 个；填充的扫描段：%3 个。</translation>
+    </message>
+    <message>
+        <source>In row %1 there are active edges: %2; surfaces: %3.</source>
+        <translation>第 %1 行的活动边：%2 条；表面：%3 个。</translation>
+    </message>
+    <message>
+        <source>In row %1 there are active edges: %2; surfaces: %3. They lie at x = %4.</source>
+        <translation>第 %1 行的活动边：%2 条；表面：%3 个。位于 x = %4。</translation>
     </message>
 </context>
 <context>
@@ -5503,10 +5532,6 @@ OpenGL %2
         <translation>此视图 %1 个覆盖像素中丢失 0 个。仅凭一个视图无法发现低于约 %1 分之 3(&lt; %2 %)的丢失。</translation>
     </message>
     <message>
-        <source>Beyond what the raster&apos;s snapping of edges explains: %1.</source>
-        <translation>其中无法用光栅边缘对齐解释的：%1。</translation>
-    </message>
-    <message>
         <source>There is no scene.</source>
         <translation>没有场景。</translation>
     </message>
@@ -5670,20 +5695,12 @@ OpenGL %2
         <translation>已提交但在任何像素中都不可见的三角形</translation>
     </message>
     <message>
-        <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
-        <translation>真实结果中有表面，而此图像中是更远的表面或什么也没有的像素</translation>
-    </message>
-    <message>
         <source>Pixels of the largest connected group of missed pixels</source>
         <translation>丢失像素中最大连通块的像素数</translation>
     </message>
     <message>
         <source>Pixels in which the truth has a surface</source>
         <translation>真实结果中有表面的像素</translation>
-    </message>
-    <message>
-        <source>– beyond snapping</source>
-        <translation>– 超出对齐误差</translation>
     </message>
     <message>
         <source>Submitted in vain</source>
@@ -5694,10 +5711,6 @@ OpenGL %2
         <translation>场景中至少绘制了一部分的三角形，每个只计一次</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
-        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在真值与策略绘制的面不同，或策略自行生成面或图像时统计</translation>
-    </message>
-    <message>
         <source>Speed against %1</source>
         <comment>a strategy</comment>
         <translation>相对 %1 的速度</translation>
@@ -5705,6 +5718,18 @@ OpenGL %2
     <message>
         <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
         <translation>在同一相机下交替测量：%1 策略的帧时间除以本策略的帧时间</translation>
+    </message>
+    <message>
+        <source>– within snapping</source>
+        <translation>– 对齐误差之内</translation>
+    </message>
+    <message>
+        <source>Pixels in which the truth has a surface and this picture a farther one or none; without those within snapping</source>
+        <translation>真值有表面而此图像为更远的表面或没有表面的像素；不含对齐误差之内的像素</translation>
+    </message>
+    <message>
+        <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>仅因光栅将顶点对齐到 1/256 像素而不同的像素，不算丢失；在真值绘制的面与策略不同，或策略自己生成表面或图像时计数</translation>
     </message>
 </context>
 <context>
@@ -6067,6 +6092,11 @@ OpenGL %2
         <source>Part</source>
         <translation>部分</translation>
     </message>
+    <message>
+        <source>in %1</source>
+        <comment>a plane that divides space, in which a polygon lies</comment>
+        <translation>在 %1 中</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionBar</name>
@@ -6285,20 +6315,6 @@ view</source>
         <translation>丢失了像素：承诺未兑现。</translation>
     </message>
     <message>
-        <source>%1 of them beyond the raster&apos;s snapping to 1/256 pixel</source>
-        <translation>其中 %1 个超出光栅对 1/256 像素的对齐</translation>
-    </message>
-    <message>
-        <source>Beyond
-snapping</source>
-        <translation>超出
-对齐误差</translation>
-    </message>
-    <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
-    </message>
-    <message>
         <source>Speed against
 %1 [95 %]</source>
         <comment>a strategy</comment>
@@ -6309,6 +6325,16 @@ snapping</source>
         <source>Total time of %1 over the views divided by this strategy&apos;s, with its 95 % interval</source>
         <comment>a strategy</comment>
         <translation>%1 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
+    </message>
+    <message>
+        <source>Within
+snapping</source>
+        <translation>对齐误差
+之内</translation>
+    </message>
+    <message>
+        <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>仅因光栅将顶点对齐到 1/256 像素而不同的像素，不算丢失；在真值绘制的面与策略不同，或策略自己生成表面或图像时计数</translation>
     </message>
 </context>
 <context>
@@ -7218,6 +7244,10 @@ snapping</source>
         <source>missed pixels: %1, nearer than the truth: %2</source>
         <translation>丢失的像素：%1，比真值更近的像素：%2</translation>
     </message>
+    <message>
+        <source>difference within snapping %1 of %2, pixels: %3</source>
+        <translation>对齐误差之内的差异 %1/%2，像素：%3</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7266,6 +7296,10 @@ snapping</source>
     <message>
         <source>In grey: not tested by the strategy for this object alone; worked out here from its own box.</source>
         <translation>灰色：策略没有单独对该对象测试；在此由其自身的盒计算得出。</translation>
+    </message>
+    <message>
+        <source>drawn, or decided to be drawn</source>
+        <translation>已绘制，或已决定绘制</translation>
     </message>
 </context>
 <context>

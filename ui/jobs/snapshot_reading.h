@@ -6,6 +6,7 @@
 
 #include "core/frame/cell_map.h"
 #include "core/visibility/plane_distances.h"
+#include "core/visibility/triangle_states.h"
 #include "core/visibility/why.h"
 #include "ui/jobs/view_frames.h"
 
@@ -24,6 +25,7 @@ struct SnapshotReading {
     CellMapPointer map;  ///< of the picked object, or of the one that the strategy shows by itself; null: there is none
     std::optional<uint64_t> triangle;  ///< the triangle that `why` explains; none: no triangle is picked, or its object is hidden
     std::vector<WhyStep> why;
+    std::optional<TriangleState> stepState;     ///< at a step: of `triangle`, as the frame has it so far
     std::optional<ListingState> listing;        ///< of the frame; none: the strategy has no listing
     std::optional<ListingState> pickedListing;  ///< of `triangle`
     std::vector<Bars> bars;                     ///< of the frame

@@ -32,13 +32,21 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     layout->addWidget(m_tabs, 1);
     connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
         if (!m_showing) m_left = nullptr;
+        if (m_tabs->tabBar()->hasFocus()) chooseWhileStepping();
         markPart();
     });
+    connect(m_tabs->tabBar(), &QTabBar::tabBarClicked, this, &StructurePanel::chooseWhileStepping);
     followShownStrategy(session, this, [this] { followStrategy(); });
     followStrategy();
     reader.readFor(this);
     retranslate();
 }
+
+void StructurePanel::showSteps() {
+    if (!m_chosenWhileStepping && m_tabs->isTabVisible(m_tabs->indexOf(m_listing))) m_tabs->setCurrentWidget(m_listing);
+}
+
+void StructurePanel::chooseWhileStepping() { m_chosenWhileStepping = m_chosenWhileStepping || m_session.step().has_value(); }
 
 void StructurePanel::showTab(QWidget* page, bool shown) {
     const int tab = m_tabs->indexOf(page);

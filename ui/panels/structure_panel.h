@@ -34,6 +34,8 @@ public:
     /// Has the tabs that a strategy declares, and none for those of another one. A tab that was open when its
     /// strategy left is open again when the strategy comes back, unless another tab was chosen meanwhile.
     void setShows(const std::vector<Show>& shows);
+    /// Shows the listing, whose lines a step marks; once another tab was chosen during steps, nothing happens.
+    void showSteps();
     /// Shows the tab with the decisions on the picked triangle.
     void showWhy() { m_tabs->setCurrentWidget(m_why); }
 
@@ -43,6 +45,7 @@ protected:
 private:
     void retranslate();
     void followStrategy();
+    void chooseWhileStepping();
     [[nodiscard]] CurvePanel* curveOf(const Show& show);
     /// The part of the open tab's curve.
     void markPart();
@@ -65,7 +68,8 @@ private:
     WhyPanel* m_why;
     LossPanel* m_losses;
     QWidget* m_left = nullptr;  ///< the page that was open when its tab went; null: none, or another was chosen since
-    bool m_showing = false;     ///< tabs come and go by the strategy, and the user chooses none
+    bool m_chosenWhileStepping = false;
+    bool m_showing = false;  ///< tabs come and go by the strategy, and the user chooses none
 };
 
 }  // namespace cullscope::ui

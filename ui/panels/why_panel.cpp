@@ -121,7 +121,11 @@ void WhyPanel::showState() {
     const std::optional<TriangleState> state = m_reader.pickedState();
     m_swatch->setVisible(state.has_value());
     if (state) m_swatch->setState(*state);
-    m_state->setText(state ? translated(triangleStateName(*state)) : tr("Whether it is visible is not known yet."));
+    const bool stepped = m_session.stepOf(m_session.activeView()) != nullptr;
+    if (stepped && state == TriangleState::Visible)
+        m_state->setText(tr("drawn, or decided to be drawn"));
+    else
+        m_state->setText(state ? translated(triangleStateName(*state)) : tr("Whether it is visible is not known yet."));
 }
 
 QString WhyPanel::heading() const {
@@ -132,6 +136,7 @@ QString WhyPanel::heading() const {
 }
 
 QString WhyPanel::outcome() const {
+    if (m_session.stepOf(m_session.activeView()) != nullptr) return {};
     const std::optional<TriangleState> state = m_reader.pickedState();
     if (state == TriangleState::Visible) return tr("It shows in the picture.");
     if (state == TriangleState::InVain)

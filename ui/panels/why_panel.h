@@ -18,7 +18,7 @@ public:
 
     /// The sentences from top to bottom, for tests and screen readers; empty: no triangle is picked.
     [[nodiscard]] QStringList sentences() const;
-    /// The comparison with the truth; empty: the truth is not known or adds nothing.
+    /// The comparison with the truth; empty: the truth is not known or adds nothing, as at a step of the frame.
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString heading() const;
     [[nodiscard]] PlaneTable& planes() { return *m_planes; }

@@ -51,6 +51,7 @@ void read(SnapshotReading& reading, const FrameLog& whole, const FrameLog& log, 
     reading.map = reading.upTo ? mapAtStep(strategy, whole, log, picked, known) : mapOf(strategy, log, picked, known);
     if (!picked) return;
     reading.why = why(strategy, log, *reading.triangle);
+    if (reading.upTo) reading.stepState = triangleStates(scene, log, std::nullopt).states[*reading.triangle];
     reading.pickedListing = strategy.listing(log, *reading.triangle);
     reading.planes = planeDistances(scene, view, *picked);
 }
@@ -193,6 +194,9 @@ void SnapshotReader::take(const Request& request, SnapshotReadingPointer reading
 
 std::optional<TriangleState> SnapshotReader::pickedState() const {
     const std::optional<uint64_t> triangle = pickedTriangle();
+    // The truth is compared with the whole frame, which a step is not.
+    if (m_session.stepOf(m_session.activeView()) != nullptr)
+        return triangle && m_reading && m_reading->triangle == triangle ? m_reading->stepState : std::nullopt;
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     if (!triangle || figures.state != ViewMetrics::State::Ready || !figures.states) return std::nullopt;
     if (!figures.subject.buffers || figures.subject.buffers->scenePointer() != m_session.scene()) return std::nullopt;

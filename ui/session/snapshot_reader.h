@@ -32,7 +32,7 @@ public:
     [[nodiscard]] bool fresh() const;
     /// The picked triangle, numbered as in the shown scene; none: no triangle is picked, or its object is hidden.
     [[nodiscard]] std::optional<uint64_t> pickedTriangle() const;
-    /// The picked triangle's state against the truth; none while it is not known.
+    /// The picked triangle's state against the truth, at a step as the frame has it so far; none while it is not known.
     [[nodiscard]] std::optional<TriangleState> pickedState() const;
     /// The number of readings begun so far. For tests.
     [[nodiscard]] size_t begun() const { return m_begun; }

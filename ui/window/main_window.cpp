@@ -238,6 +238,8 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
+    connect(m_actions->stepThrough, &QAction::triggered, m_structure,
+            [this](bool on) { on ? m_structure->showSteps() : void(); });
     // What the panels show would answer an open question.
     connect(&m_session, &Session::questionChanged, this, [this] {
         m_answers->setVisible(!m_session.question());

@@ -157,8 +157,7 @@ private:
             }
             if (spansToo) fillTo(frame.view().viewport().width);
             Decision done = said(ofRows(row), Decision::Outcome::Open,
-                                 CULLSCOPE_TR("In this row %1 depths were compared, where a depth buffer compares "
-                                              "%2; %3 spans were filled."),
+                                 CULLSCOPE_TR("Depths compared in this row: %1, by a depth buffer: %2; spans filled: %3."),
                                  {double(counts.comparisons), double(counts.samples), double(counts.spans)});
             done.places = pixelsOf(frame, int(row), int(row) + 1, 0, frame.view().viewport().width);
             frame.say(atLine(Line::Done, done));
@@ -181,8 +180,8 @@ private:
     static void sayRow(FrameContext& frame, uint32_t row, const RowCounts& counts, const RowEdge* edge) {
         Decision decision =
             said(ofRows(row), Decision::Outcome::Open,
-                 edge == nullptr ? CULLSCOPE_TR("In row %1 there are %2 active edges, of %3 surfaces.")
-                                 : CULLSCOPE_TR("In row %1 there are %2 active edges, of %3 surfaces, at x = %4."),
+                 edge == nullptr ? CULLSCOPE_TR("In row %1 there are active edges: %2; surfaces: %3.")
+                                 : CULLSCOPE_TR("In row %1 there are active edges: %2; surfaces: %3. They lie at x = %4."),
                  {double(row), double(counts.edges), double(counts.triangles), edge == nullptr ? 0.0 : edge->x});
         decision.operandCount = edge == nullptr ? 3 : 4;
         frame.say(atLine(Line::Row, decision));
