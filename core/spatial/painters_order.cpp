@@ -46,6 +46,10 @@ public:
     }
 
 private:
+    /// A cut of a polygon: the plane, by its id, and the cut that the polygon was made by.
+    struct Cut {
+        uint32_t plane = 0, before = Piece::kUncut;
+    };
     /// A piece that waits for others, and where the search for those goes on.
     struct Waiting {
         uint32_t piece = 0;
@@ -62,11 +66,12 @@ private:
     };
 
     /// Adds a polygon to what is ordered, or draws it at once where it covers no sample.
-    void addPiece(uint32_t polygon) {
+    void addPiece(uint32_t polygon, uint32_t lastCut = Piece::kUncut) {
         m_work.step();
         const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
         Piece piece;
         piece.polygon = polygon;
+        piece.lastCut = lastCut;
         piece.plane = m_triangles.planeOf(triangle);
         piece.eyeSide = int8_t(sideOfPlane(piece.plane.a, piece.plane.b, piece.plane.c, m_view.eye()));
         const bool dropped = m_options.facing == Facing::Front && piece.eyeSide * (isMirrored(triangle) ? -1 : 1) < 0;
@@ -278,11 +283,22 @@ private:
         m_waiting.pop_back();
     }
 
-    /// Cuts P by the plane of Q; false where that plane does not cut it. What waited for P begins again.
+    /// Whether P is a part of what a plane has cut. Of a sliver whose corners are rounded it may lie across that plane again.
+    bool isCutBy(uint32_t p, uint32_t plane) {
+        for (uint32_t cut = m_pieces[p].lastCut; cut != Piece::kUncut; cut = m_cuts[cut].before) {
+            m_work.step();
+            if (m_cuts[cut].plane == plane) return true;
+        }
+        return false;
+    }
+
+    /// Cuts P by the plane of Q; false where that plane does not cut it, or has cut it. What waited for P begins again.
     bool cutPiece(uint32_t p, uint32_t q) {
         const CuttingPlane plane = m_pieces[q].plane;
-        if (m_triangles.place(m_pieces[p].polygon, plane) != Place::Across) return false;
+        if (m_triangles.place(m_pieces[p].polygon, plane) != Place::Across || isCutBy(p, plane.id)) return false;
         requireRoom(1);
+        const auto ownCut = uint32_t(m_cuts.size());
+        m_cuts.push_back({plane.id, m_pieces[p].lastCut});
         const auto [front, back] = m_triangles.cut(m_pieces[p].polygon, plane);
         m_pieces[p].state = PieceState::Done;
         while (!m_waiting.empty()) {
@@ -294,7 +310,7 @@ private:
         }
         for (const uint32_t part : {front, back}) {
             const auto number = uint32_t(m_pieces.size());
-            addPiece(part);
+            addPiece(part, ownCut);
             if (m_pieces.size() == number) continue;
             m_grid->add(number, false, m_work);
             m_heap.push({m_pieces[number].screen.far, part, number});
@@ -327,6 +343,7 @@ private:
     std::optional<PieceGrid> m_grid;
     std::priority_queue<FarFirst> m_heap;
     std::vector<Waiting> m_waiting;
+    std::vector<Cut> m_cuts;
     uint32_t m_inHand = 0;  ///< the piece that the last step was about, while some wait
     NewellTest m_lastTest = NewellTest::Depth;
     uint64_t m_firstTriangle = 0, m_endTriangle = 0;  ///< of the instance last asked about

@@ -54,7 +54,9 @@ enum class PieceState : uint8_t { Waiting, Marked, Done };
 
 /// A polygon as the painter compares it.
 struct Piece {
+    static constexpr uint32_t kUncut = 0xFFFFFFFF;
     uint32_t polygon = 0;
+    uint32_t lastCut = kUncut;  ///< of the cuts that made it, by number
     PieceState state = PieceState::Waiting;
     int8_t eyeSide = 0;  ///< of its plane
     ScreenPolygon screen;

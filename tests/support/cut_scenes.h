@@ -86,15 +86,16 @@ inline MeshPointer threeBars() {
 }
 
 /// A scene of some triangles that are hard to order, one kind by seed: through each other, in cycles, in one plane, sharing
-/// edges, touching, and all of these.
-inline ScenePointer hardScene(uint64_t seed) {
+/// edges, touching, and all of these. `mirrored`: another scene of the same kind: random corners have x and z exchanged and come
+/// in the reverse order.
+inline ScenePointer hardScene(uint64_t seed, bool mirrored = false) {
     Random random(seed);
     // One statement a number: in which order a compiler computes the arguments of a call is its own choice.
     const auto place = [&] {
         const double z = random.between(-1, 1);
         const double y = random.between(-1, 1);
         const double x = random.between(-1, 1);
-        return Vec3(x, y, z);
+        return mirrored ? Vec3(z, y, x) : Vec3(x, y, z);
     };
     std::vector<Vec3f> corners;
     const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -104,7 +105,7 @@ inline ScenePointer hardScene(uint64_t seed) {
     if (kind == 0 || kind == 5)
         for (int i = 0; i < 12; ++i) {
             const Vec3 c = place(), b = place(), a = place();
-            add(a, b, c);
+            mirrored ? add(c, b, a) : add(a, b, c);
         }
     if (kind == 1 || kind == 5)  // a cycle of long thin ones around an axis
         for (int i = 0; i < 5; ++i) {
@@ -129,7 +130,7 @@ inline ScenePointer hardScene(uint64_t seed) {
             const Vec3 a(-1, 0.25 * i - 0.75, -0.5), b(1, 0.25 * i - 0.75, -0.5), c(0, 0.25 * i - 0.5, 0.5);
             add(a, b, c);
             const Vec3 third = place(), second = place();
-            add(0.5 * (a + c), second, third);
+            mirrored ? add(0.5 * (a + c), third, second) : add(0.5 * (a + c), second, third);
         }
     return sceneOf({soupMesh(std::move(corners))});
 }

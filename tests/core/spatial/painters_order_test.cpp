@@ -207,6 +207,19 @@ TEST(PaintersOrder, everyTriangleIsDrawnOnceInItsParts) {
     }
 }
 
+TEST(PaintersOrder, planesCutAPolygonOnceHoweverItsCornersAreRounded) {
+    // Of these scenes some have slivers whose rounded corners lie across a plane that has cut them.
+    for (uint64_t seed = 5; seed < howMany(600, 200); seed += 6) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const Vec3 eye = random.between(2.5, 4.0) * random.direction();
+        const Vec3 target = 0.3 * random.direction();
+        const View view({eye, target, random.direction(), Angle::fromDegrees(45), 0.05, 100}, {160, 120});
+        const Ordered result = ordered(hardScene(seed, true), {.limit = 20'000}, view);
+        for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
+    }
+}
+
 TEST(PaintersOrder, centroidsAloneAreSortedByTheirDistance) {
     const Ordered result =
         ordered(sceneWith({{-3, -1, -2}, {1, -1, .6f}, {1, 1, .6f}, {0, -.5f, -.8f}, {.8f, -.5f, -.7f}, {.8f, .2f, -.6f}}),
