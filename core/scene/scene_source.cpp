@@ -200,6 +200,7 @@ OpenedScene openPlant(Request& request) {
     PlantOptions plant;
     plant.pipelines = request.arguments.count("pipelines", double(plant.pipelines), kMostPipelines);
     plant.seed = uint64_t(request.arguments.wholeNumber("seed", double(plant.seed), 0, 9e15));
+    plant.chordError = 0.001 * request.arguments.number("chord", 0.0, 1000.0 * kLeastChordError, 1000.0 * kMostChordError);
     requireGeneratorMemory(request.info.id, double(plant.pipelines) * kBytesOfPipeline, request.options.load);
     return {plantScene(request.specification, plant, request.progress), request.specification, std::nullopt};
 }
@@ -261,7 +262,10 @@ const std::vector<Generator>& generators() {
         {{"plant",
           CULLSCOPE_TR("a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms"),
           {{"pipelines", "100", CULLSCOPE_TR("how many pipelines")},
-           {"seed", "1", CULLSCOPE_TR("number that the plant starts from")}}},
+           {"seed", "1", CULLSCOPE_TR("number that the plant starts from")},
+           {"chord", "",
+            CULLSCOPE_TR(
+                "millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size")}}},
          openPlant},
         {{"mesh",
           CULLSCOPE_TR("a mesh file simplified or subdivided: mesh:FILE,triangles=N"),

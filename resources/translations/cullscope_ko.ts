@@ -4836,6 +4836,10 @@
         <source>In row %1 there are active edges: %2; surfaces: %3. They lie at x = %4.</source>
         <translation>%1행의 활성 모서리: %2개, 면: %3개. x = %4.</translation>
     </message>
+    <message>
+        <source>millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size</source>
+        <translation>삼각형이 둥근 면에서 떨어지는 최대 거리(밀리미터). 주지 않으면 크기에 따라 원마다 8~32개의 현</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

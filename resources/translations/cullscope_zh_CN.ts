@@ -4836,6 +4836,10 @@
         <source>In row %1 there are active edges: %2; surfaces: %3. They lie at x = %4.</source>
         <translation>第 %1 行的活动边：%2 条；表面：%3 个。位于 x = %4。</translation>
     </message>
+    <message>
+        <source>millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size</source>
+        <translation>三角形与圆形表面的最大距离（毫米）；不给出时，每个圆按大小取 8 至 32 条弦</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -33,9 +33,11 @@ uint32_t Kit::beginGroup(std::string name, uint32_t parent) {
 
 uint32_t Kit::newMesh(const char* kind, uint32_t segments, const Solids& solids) {
     primitive::Surface surface;
+    const bool byError = m_chordError > 0.0 && segments != kHexagon;
+    const primitive::Fineness fineness = byError ? primitive::Fineness{m_chordError, 0} : primitive::Fineness{1.0, segments};
     for (const Solid& solid : solids) {
         const auto first = uint32_t(surface.triangles.size() / 3);
-        primitive::appendSurface(surface, solid.shape, {1.0, segments}, solid.place);
+        primitive::appendSurface(surface, solid.shape, fineness, solid.place);
         m_components.parts.push_back(
             {MeshPart::Kind::Solid, solid.shape, solid.place, first, uint32_t(surface.triangles.size() / 3) - first});
     }

@@ -50,9 +50,16 @@ struct Key {
     bool operator==(const Key&) const = default;
 };
 
+/// Of a full circle: a hexagon, as of nuts, is the shape itself and no approximation of a circle.
+inline constexpr uint32_t kHexagon = 6;
+
 /// Collects the objects of a plant. Equal components are made once.
 class Kit {
 public:
+    /// `chordError`: the largest distance of triangles from the surfaces that they stand for, in metres; 0: circles have as many
+    /// segments as `add` says.
+    explicit Kit(double chordError = 0.0) : m_chordError(chordError) {}
+
     /// Begins a group. Objects are named after the group in hand: "L00042/valve 2".
     uint32_t beginGroup(std::string name, uint32_t parent = kNoGroup);
 
@@ -78,6 +85,7 @@ private:
     uint32_t newMesh(const char* kind, uint32_t segments, const Solids& solids);
     void addInstance(uint32_t mesh, const Mat4& place, const char* kind);
 
+    double m_chordError;
     std::unordered_map<Key, uint32_t, Hash> m_known;
     std::vector<MeshPointer> m_meshes;
     std::vector<Instance> m_instances;

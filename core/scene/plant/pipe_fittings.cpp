@@ -150,7 +150,7 @@ void PipeFitter::joint(uint32_t size, const Vec3& face, const Vec3& along) {
         const Vec2 place = 0.0005 * pipe.circle * onCircle(uint64_t(2 * bolt + 1), uint64_t(2 * pipe.bolts));
         Mat4 own = plane;
         own[3] = plane * Vec4(place, 0.0, 1.0);
-        m_kit.add({"bolt", size}, 6, own, [&] { return boltSolids(pipe); });
+        m_kit.add({"bolt", size}, kHexagon, own, [&] { return boltSolids(pipe); });
     }
     if (pipe.nominal >= kWithGasket)
         m_kit.add({"gasket", size}, pipe.segments(), plane, [&] {

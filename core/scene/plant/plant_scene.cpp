@@ -23,7 +23,8 @@ std::string numbered(const char* letter, size_t number) {
 
 class Plant {
 public:
-    explicit Plant(const PlantOptions& options) : m_options(options), m_random(options.seed), m_fitter(m_kit) {}
+    explicit Plant(const PlantOptions& options)
+        : m_options(options), m_random(options.seed), m_kit(options.chordError), m_fitter(m_kit) {}
 
     ScenePointer build(std::string name, const Progress& progress) {
         const size_t units = (m_options.pipelines + kPipelinesOfUnit - 1) / kPipelinesOfUnit;

@@ -8,7 +8,11 @@ namespace cullscope {
 struct PlantOptions {
     size_t pipelines = 100;
     uint64_t seed = 1;
+    /// The largest distance of triangles from the primitives' surfaces, in metres; 0: pipes have 8, 12 or 16 chords by their
+    /// size, equipment 12 to 32. The fewer segments of the strategy level-of-detail begin with these.
+    double chordError = 0.0;
 };
+inline constexpr double kLeastChordError = 1e-4, kMostChordError = 0.1;
 inline constexpr double kMostPipelines = 1e6;
 
 /// A process plant of pipe racks with equipment beside them, connected by so many pipelines: pipes, elbows, tees, reducers,

@@ -60,6 +60,43 @@ TEST(Plant, meshesAreClosedAndFaceOutward) {
         EXPECT_TRUE(mesh->topology().frontFacesSuffice()) << mesh->name() << " " << mesh->topology().nonManifoldEdges;
 }
 
+/// How far the triangles of cylinders lie within the surfaces that they stand for, in metres.
+double deepestChord(const Scene& scene) {
+    double deepest = 0.0;
+    for (size_t i = 0; i < scene.instances().size(); ++i)
+        for (const MeshPart& part : scene.partsOf(i)) {
+            const auto* cylinder = std::get_if<primitive::Cylinder>(&part.solid);
+            if (cylinder == nullptr || scene.meshOf(i).name() == "bolt") continue;
+            const TriangleMesh& mesh = scene.meshOf(i);
+            const Mat4 own = glm::inverse(part.meshFromSolid);
+            for (size_t corner = 3 * size_t(part.firstTriangle); corner < 3 * size_t(part.firstTriangle + part.triangleCount);
+                 ++corner) {
+                const size_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
+                const Vec3 from(own * Vec4(mesh.position(mesh.indices()[corner]), 1.0));
+                const Vec3 to(own * Vec4(mesh.position(mesh.indices()[next]), 1.0));
+                // Edges of the caps run inside.
+                if (std::abs(from.z - to.z) < 0.5 * cylinder->height) continue;
+                deepest = std::max(deepest, cylinder->radius - 0.5 * glm::length(Vec2(from.x + to.x, from.y + to.y)));
+            }
+        }
+    return deepest;
+}
+
+TEST(Plant, trianglesLieWithinTheErrorThatIsAskedFor) {
+    EXPECT_GT(deepestChord(*hundred()), 0.004) << "the usual chords";
+    size_t triangles = hundred()->triangleCount();
+    for (const auto& [text, metres] : {std::pair("1", 0.001), {"0.1", 0.0001}}) {
+        const ScenePointer scene = plantOf(std::string("pipelines=100,seed=1,chord=") + text);
+        EXPECT_LE(deepestChord(*scene), metres * 1.001) << text;
+        EXPECT_GT(deepestChord(*scene), 0.2 * metres) << text << ": no finer than needed";
+        EXPECT_GT(scene->triangleCount(), triangles);
+        triangles = scene->triangleCount();
+        EXPECT_EQ(scene->instances().size(), hundred()->instances().size());
+        for (const MeshPointer& mesh : scene->meshes())
+            EXPECT_TRUE(mesh->topology().frontFacesSuffice()) << text << " " << mesh->name();
+    }
+}
+
 TEST(Plant, objectsHaveDistinctNamesAndStandOnTheGround) {
     const Scene& scene = *hundred();
     std::set<std::string> names;
@@ -113,6 +150,8 @@ TEST(Plant, refusesWhatIsNoPlantAndCanBeStopped) {
     EXPECT_THROW((void)plantOf("pipelines=0"), Error);
     EXPECT_THROW((void)plantOf("pipelines=1e9"), Error);
     EXPECT_THROW((void)plantOf("seed=-1"), Error);
+    for (const char* chord : {"0", "0.05", "101", "nan"})
+        EXPECT_THROW((void)plantOf(std::string("chord=") + chord), Error) << chord;
     std::stop_source source;
     source.request_stop();
     Progress progress;
