@@ -20,6 +20,7 @@
 #include "ui/startup/display.h"
 #include "ui/startup/first_views.h"
 #include "ui/startup/recovery.h"
+#include "ui/startup/settings_file.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 #include "ui/window/main_window.h"
@@ -133,6 +134,7 @@ int show(ui::Application& application, ui::AbruptEnd& abruptEnd, const CommandLi
     ui::showFirstViews(session, line.strategies);
 
     ui::MainWindow window(session, language, appearance);
+    ui::requireDrawable(window);
     // A picture of the window must be the same on every machine, so it neither reads nor stores a layout.
     const bool remembers = line.screenshot.empty();
     window.setKeepsLayout(remembers);
@@ -172,6 +174,7 @@ int main(int argc, char** argv) {
         QCoreApplication::setOrganizationName(QStringLiteral("cullscope"));
         QCoreApplication::setApplicationName(QStringLiteral("cullscope"));
         int qtArgc = 1;
+        ui::requireReadableSettings();
         const std::unique_ptr<ui::Application> application = ui::makeApplication(qtArgc, argv);
         QGuiApplication::setDesktopFileName(QStringLiteral("cullscope"));
         QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/cullscope.svg")));

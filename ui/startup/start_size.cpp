@@ -1,6 +1,10 @@
 #include "ui/startup/start_size.h"
 
 #include <QScreen>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/scene/camera.h"
 
 namespace cullscope::ui {
 
@@ -24,6 +28,15 @@ void showFitting(QWidget& window, const QSize& wanted) {
         window.showMaximized();
     else
         window.show();
+}
+
+void requireDrawable(const QWidget& window) {
+    const double scale = window.devicePixelRatioF();
+    const QSize least = window.minimumSizeHint().expandedTo(window.minimumSize());
+    const double longest = scale * std::max(least.width(), least.height());
+    if (longest <= kMostPixels) return;
+    throwUsage("The window has %1 pixels on a side, more than %2: the screen's scale is %3. Set a smaller one (QT_SCALE_FACTOR).",
+               {std::to_string(int64_t(longest)), std::to_string(kMostPixels), QString::number(scale).toStdString()});
 }
 
 }  // namespace cullscope::ui

@@ -18,4 +18,8 @@ struct Start {
 /// Shows a window that was not shown yet: in the wanted size if the screen has room for it and a title bar, else maximised.
 void showFitting(QWidget& window, const QSize& wanted);
 
+/// Call it before the window is shown. Throws Error(Usage) where the screen's scale gives a side of the window, at its smallest,
+/// more pixels than a picture may have (kMostPixels): no view of it could be drawn.
+void requireDrawable(const QWidget& window);
+
 }  // namespace cullscope::ui
