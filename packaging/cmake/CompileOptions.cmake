@@ -23,6 +23,13 @@ if(CULLSCOPE_FUZZERS)
   target_compile_options(cullscope_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# A change of the library links every program that has it: lld takes a seventh of the usual linker's time. Without it nothing
+# else changes.
+find_program(CULLSCOPE_LLD ld.lld)
+if(CULLSCOPE_LLD)
+  target_link_options(cullscope_options INTERFACE -fuse-ld=lld)
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE)
   # Precompiled headers need these two relaxations, or ccache does not find them again.
