@@ -2,8 +2,8 @@
 
 namespace cullscope::ui {
 
-/// Call it before the first QSettings. Throws Error(Input) where a file of the settings is a pipe or a device: reading it would wait
-/// for a writer that may never come, or never end. /dev/null is empty settings.
+/// Call it before the first QSettings. Throws Error(Input) where a file of the settings is a pipe or a device: reading it would
+/// wait for a writer that may never come, or never end. /dev/null is empty settings.
 void requireReadableSettings();
 
 }  // namespace cullscope::ui
