@@ -70,7 +70,7 @@ struct RunOptions {
     [[nodiscard]] Upload uploadBy() const { return upload == "vbo" ? Upload::Vbo : Upload::VertexArray; }
     [[nodiscard]] std::string pathFor(const Scene& scene) const { return path.empty() ? defaultPathName(scene) : path; }
     /// The views of that path, with the field of view.
-    [[nodiscard]] CameraPath viewsOf(const Scene& scene) const;
+    [[nodiscard]] CameraPath viewsOf(const Scene& scene, const Progress& progress) const;
 };
 void addRunOptions(CLI::App& command, RunOptions& options);
 /// `--fovx`.

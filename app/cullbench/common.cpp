@@ -137,8 +137,8 @@ std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
     return requests;
 }
 
-CameraPath RunOptions::viewsOf(const Scene& scene) const {
-    CameraPath views = cameraPath(pathFor(scene), scene);
+CameraPath RunOptions::viewsOf(const Scene& scene, const Progress& progress) const {
+    CameraPath views = cameraPath(pathFor(scene), scene, progress);
     if (fovx > 0.0) views.fovy = verticalField(Angle::fromDegrees(fovx), viewport());
     return views;
 }
@@ -149,8 +149,10 @@ CLI::Option* addFieldOption(CLI::App& command, double& fovx) {
 }
 
 void addRunOptions(CLI::App& command, RunOptions& options) {
-    command.add_option("--path", options.path,
-                       "camera path: file or built-in name (default: fibonacci:16 for one object, walk:16 for many)");
+    command.add_option(
+        "--path", options.path,
+        "camera path: file or built-in name (default: tour:16 where one stands in the scene, else fibonacci:16 for one "
+        "object, walk:16 for many)");
     addFieldOption(command, options.fovx);
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command.add_option("--windows", options.windows, "pictures a frame: 1, 4 or 8")

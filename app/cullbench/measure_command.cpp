@@ -79,6 +79,8 @@ std::string withinSnapping(const RunMeasurement& run) {
                        : fmt::format("{} pixels differ within the raster's snapping, and are not lost", pixels);
 }
 
+constexpr const char* kSameSides = "x same sides [95 %]";
+
 std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", baselineOf(role).id); }
 
 void printTable(const MeasureResult& result, FILE* out) {
@@ -87,16 +89,17 @@ void printTable(const MeasureResult& result, FILE* out) {
         scene.instances().size(), result.runs.front().frames.size(), result.request.path.poses.size(), result.request.path.name,
         result.request.size.width, result.request.size.height);
     say(out, "{}{}\n", result.gl.renderer, result.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
-    say(out, "{:<24} {:<12} {:>9} {:>9} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
-        ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled", "cull ms", "missed px", "hole px");
+    say(out, "{:<24} {:<12} {:>9} {:>9} {:>19} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
+        kSameSides, ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled", "cull ms", "missed px",
+        "hole px");
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
         const Summary& s = run.summary;
         const std::optional<Losses> losses = run.losses();
-        say(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n", strategyLabel(run.strategy),
-            promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall, ratioText(s.ratioToTriangles),
-            ratioText(s.ratioToFrontFaces), s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
-            losses ? std::to_string(lostPixels(*losses)) : "-",
+        say(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>19} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
+            strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
+            ratioText(s.ratioToOwnRule), ratioText(s.ratioToTriangles), ratioText(s.ratioToFrontFaces), s.culledFraction * 100,
+            s.cullShare * 1000.0 / s.fpsOverall, losses ? std::to_string(lostPixels(*losses)) : "-",
             losses ? std::to_string(lostPixels(*losses) == 0 ? 0 : losses->largestHolePixels) : "-");
     }
     for (const RunMeasurement& run : result.runs)
@@ -160,7 +163,7 @@ void run(const MeasureOptions& options, Context& context) {
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
     request.scene = opened.scene;
-    request.path = options.run.viewsOf(*opened.scene);
+    request.path = options.run.viewsOf(*opened.scene, {nullptr, context.stop});
     const MeasureResult result = measure(request, terminalProgress(context));
     clearProgress();
     if (result.interrupted && result.runs.front().frames.empty()) throwNothingMeasured();

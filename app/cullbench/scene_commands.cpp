@@ -7,6 +7,7 @@
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
 #include "core/base/terminal_text.h"
+#include "core/experiments/result_file.h"
 #include "core/geometry/frustum_planes.h"
 #include "core/mesh/save.h"
 #include "core/scene/camera_path.h"
@@ -73,7 +74,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
     const StructureReport& structure = strategy->report();
     const Scene& scene = *opened.scene;
     const std::optional<PlaneFigures> planes = planeFigures(strategy->info(), scene);
-    const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
+    const char* facing = facingId(strategy->facing());
     if (!options.json.empty()) {
         nlohmann::ordered_json json{{"scene",
                                      {{"name", scene.name()},
@@ -124,7 +125,7 @@ struct PathOptions {
 void runPath(const PathOptions& options, const Context& context) {
     checkOutputPlaces({options.output});
     const OpenedScene opened = openSceneForCommand(options.scene, context);
-    CameraPath path = cameraPath(options.name, *opened.scene);
+    CameraPath path = cameraPath(options.name, *opened.scene, {nullptr, context.stop});
     if (options.fovx > 0.0) path.fovy = verticalField(Angle::fromDegrees(options.fovx), sizeFromText(options.size));
     writeCameraPath(options.output, path);
     if (options.output != "-") say("{}: {} poses\n", options.output, path.poses.size());
@@ -156,7 +157,7 @@ void addInspectCommand(CLI::App& app, Context& context) {
 void addPathCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("path", "Writes a built-in camera path as a file, for other programs");
     auto options = std::make_shared<PathOptions>();
-    command->add_option("NAME", options->name, "orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3")->required();
+    command->add_option("NAME", options->name, builtInPathNames())->required();
     addSceneOptions(*command, options->scene);
     auto* fovx = addFieldOption(*command, options->fovx);
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the pictures that --fovx is for")

@@ -92,7 +92,7 @@ void run(const SweepOptions& options, Context& context) {
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : requestsOf(setting)) requireAvailable(strategy, gl.info());
     setting.path = options.run.pathFor(*opened.scene);
-    setting.views = [&](const Scene& scene) { return options.run.viewsOf(scene); };
+    setting.views = [&](const Scene& scene) { return options.run.viewsOf(scene, {nullptr, context.stop}); };
     const ExperimentStage stage{[&](size_t, const Progress&) { return opened.scene; }};
     const std::vector<ResultTable> tables{
         runExperiment(experiment, {{}, options.run.repeat}, terminalProgress(context), {}, stage)};

@@ -84,7 +84,8 @@ void runSetting(ResultTable& table, const Experiment& experiment, size_t number,
     const ScenePointer scene = stage.scene(number, progress.part(0.0, kOpened));
     const Progress rest = progress.part(kOpened, 1.0);
     if (setting.timed())
-        addRuns(table, experiment, setting, stage.measure(measureRequest(setting, scene, repetitions), rest));
+        addRuns(table, experiment, setting,
+                stage.measure(measureRequest(setting, scene, pathOf(setting, *scene, rest), repetitions), rest));
     else
         addMeasured(table, experiment, setting, scene, rest);
 }
@@ -148,8 +149,8 @@ ResultTable emptyTable(const Experiment& experiment) {
     return table;
 }
 
-CameraPath pathOf(const Setting& setting, const Scene& scene) {
-    return setting.views ? setting.views(scene) : cameraPath(setting.path, scene);
+CameraPath pathOf(const Setting& setting, const Scene& scene, const Progress& progress) {
+    return setting.views ? setting.views(scene) : cameraPath(setting.path, scene, progress);
 }
 
 std::vector<StrategyRequest> requestsOf(const Setting& setting) {

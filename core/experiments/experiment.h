@@ -104,7 +104,7 @@ template <typename Numbers>
 [[nodiscard]] ResultTable emptyTable(const Experiment& experiment);
 
 /// A timed setting's views of its scene.
-[[nodiscard]] CameraPath pathOf(const Setting& setting, const Scene& scene);
+[[nodiscard]] CameraPath pathOf(const Setting& setting, const Scene& scene, const Progress& progress = {});
 /// A setting's strategies.
 [[nodiscard]] std::vector<StrategyRequest> requestsOf(const Setting& setting);
 /// The request for `measure` that a timed setting needs. `repetitions` of each frame; 0: as the setting says.

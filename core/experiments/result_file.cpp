@@ -73,6 +73,8 @@ Json summaryJson(const Summary& summary) {
             {"cull_share", summary.cullShare},
             {"culled_fraction", summary.culledFraction},
             {"missed_pixel_rate", summary.missedPixelRate ? Json(*summary.missedPixelRate) : Json(nullptr)},
+            {"ratio_to_same_sides", summary.ratioToOwnRule.ratio},
+            {"ratio_to_same_sides_ci95", intervalJson(summary.ratioToOwnRule)},
             {"ratio_to_all", summary.ratioToTriangles.ratio},
             {"ratio_to_all_ci95", intervalJson(summary.ratioToTriangles)},
             {"ratio_to_backface", summary.ratioToFrontFaces.ratio},
@@ -89,6 +91,7 @@ Json runHead(const RunMeasurement& run, const MeasureRequest& request) {
             {"promise", promiseId(run.promise)},
             {"facing", facingId(run.facing)},
             {"reference_facing", facingId(run.referenceFacing)},
+            {"same_sides_baseline", strategyText(run.ownRule)},
             {"parameters", parametersJson(run.strategy.parameters)},
             {"width", request.size.width},
             {"height", request.size.height},
@@ -169,7 +172,17 @@ std::string resultCsv(const MeasureResult& result) {
     return terminalText(csv);
 }
 
-const char* facingId(Facing facing) { return facing == Facing::Front ? CULLSCOPE_TR("front") : CULLSCOPE_TR("two-sided"); }
+const char* facingId(Facing facing) {
+    switch (facing) {
+        case Facing::TwoSided:
+            return CULLSCOPE_TR("two-sided");
+        case Facing::Front:
+            return CULLSCOPE_TR("front");
+        case Facing::ByObject:
+            return CULLSCOPE_TR("by-object");
+    }
+    return "";
+}
 
 ToolVersion toolVersion() { return {"cullscope", CULLSCOPE_VERSION, buildCommit()}; }
 

@@ -31,6 +31,8 @@ Row rowCells(const Setting& setting, const RunMeasurement& run) {
     cells["fps_max"] = summary.fpsMax;
     cells["fps_min"] = summary.fpsMin;
     cells["fps_mean"] = summary.fpsMean;
+    cells["ratio_to_same_sides"] = summary.ratioToOwnRule;
+    cells["same_sides_baseline"] = strategyText(run.ownRule);
     cells["ratio_to_all"] = summary.ratioToTriangles;
     cells["ratio_to_backface"] = summary.ratioToFrontFaces;
     cells["speedup_vs_all"] = summary.speedupVsTriangles;

@@ -5,10 +5,28 @@
 #include <span>
 #include <vector>
 
+#include "core/scene/scene.h"
+
 namespace cullscope {
 
 /// Which faces OpenGL draws.
-enum class Facing { TwoSided, Front };
+enum class Facing {
+    TwoSided,
+    Front,
+    ByObject  ///< Front of each object whose front faces suffice (Scene::frontFacesSuffice), both sides of the others
+};
+
+inline constexpr size_t kFacingRules = 3;
+
+/// The rule of one object under a rule of all: TwoSided or Front.
+[[nodiscard]] inline Facing facingOf(const Scene& scene, size_t instance, Facing rule) {
+    if (rule != Facing::ByObject) return rule;
+    return scene.frontFacesSuffice(instance) ? Facing::Front : Facing::TwoSided;
+}
+/// Whether that rule drops the object's back faces.
+[[nodiscard]] inline bool dropsBacks(const Scene& scene, size_t instance, Facing rule) {
+    return facingOf(scene, instance, rule) == Facing::Front;
+}
 
 /// How what is drawn meets what was drawn before it.
 enum class DepthRule {

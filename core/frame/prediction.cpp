@@ -61,11 +61,10 @@ private:
     /// Of triangles, only the named ones are asked about. Of front sides alone, OpenGL drops a triangle whose back the eye sees.
     void addTriangle(uint64_t triangle, Facing facing) {
         if (!m_named.contains(triangle)) return;
-        if (facing == Facing::Front) {
-            const size_t instance = m_scene.instanceOf(triangle);
-            const InstanceFromEye seen(m_scene, instance, m_eye);
-            if (seen.facesAway(triangle - m_scene.firstTriangle(instance))) return;
-        }
+        const size_t instance = m_scene.instanceOf(triangle);
+        if (dropsBacks(m_scene, instance, facing) &&
+            InstanceFromEye(m_scene, instance, m_eye).facesAway(triangle - m_scene.firstTriangle(instance)))
+            return;
         add(triangle);
     }
 

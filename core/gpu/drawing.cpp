@@ -5,6 +5,16 @@
 #include <glm/gtc/type_ptr.hpp>
 
 namespace cullscope {
+namespace {
+
+void setCulling(bool on) {
+    if (on)
+        glEnable(GL_CULL_FACE);
+    else
+        glDisable(GL_CULL_FACE);
+}
+
+}  // namespace
 
 DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing facing, DepthRule depth) {
     const PictureTile& tile = target.tile();
@@ -24,10 +34,7 @@ DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing f
     glDepthFunc(depth == DepthRule::Nearest ? GL_GREATER : GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glClearDepth(0.0);
-    if (facing == Facing::Front)
-        glEnable(GL_CULL_FACE);
-    else
-        glDisable(GL_CULL_FACE);
+    setCulling(facing == Facing::Front);
     glCullFace(GL_BACK);
 }
 
@@ -56,8 +63,16 @@ void clearTo(const DrawStyle& style) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-VertexInput::VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order)
-    : m_buffers(buffers), m_vertexArray(vertexArray), m_order(std::move(order)) {
+void FacingState::setFor(const Scene& scene, uint32_t instance) {
+    // The drawing state has set every other rule.
+    if (m_rule != Facing::ByObject) return;
+    const Facing facing = facingOf(scene, instance, m_rule);
+    if (facing != m_current) setCulling(facing == Facing::Front);
+    m_current = facing;
+}
+
+VertexInput::VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order, Facing facing)
+    : m_buffers(buffers), m_vertexArray(vertexArray), m_order(std::move(order)), m_facing(facing) {
     glBindVertexArray(client() ? 0 : vertexArray);
     if (!client()) return;
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -122,6 +137,7 @@ void setInstanceUniforms(const View& view, const Instance& instance, const Trian
 void VertexInput::bind(const View& view, uint32_t number, Indices indices) {
     const Instance& instance = m_buffers.scene().instances()[number];
     bindMesh(instance.mesh, indices);
+    m_facing.setFor(m_buffers.scene(), number);
     setInstanceUniforms(view, instance, *m_buffers.scene().meshes()[instance.mesh]);
 }
 
@@ -146,7 +162,9 @@ OwnInput::~OwnInput() {
 }
 
 void OwnInput::draw(const Scene& scene, const View& view, const std::function<void(const OwnTriangles::Run&)>& perRun) const {
+    FacingState facing(m_triangles.facing);
     for (const OwnTriangles::Run& run : m_triangles.runs) {
+        facing.setFor(scene, run.instance);
         const Instance& instance = scene.instances()[run.instance];
         setInstanceUniforms(view, instance, *scene.meshes()[instance.mesh]);
         perRun(run);

@@ -59,6 +59,17 @@ private:
     GLint m_previousRead = 0;
 };
 
+/// Which faces OpenGL draws of the instance in hand, where that differs from object to object. Within a drawing state.
+class FacingState {
+public:
+    explicit FacingState(Facing rule) : m_rule(rule) {}
+    void setFor(const Scene& scene, uint32_t instance);
+
+private:
+    Facing m_rule;
+    Facing m_current = Facing::ByObject;  ///< not known
+};
+
 /// Triangles that a strategy made, as vertex input; the instance's uniforms are set by run.
 class OwnInput {
 public:
@@ -93,13 +104,13 @@ public:
         InOrder  ///< ranges of triangles, in the draw list's order
     };
 
-    /// For ranges in `order`; null: in every mesh's own order.
-    VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order);
+    /// For ranges in `order` (null: in every mesh's own order) under the drawing state's facing rule.
+    VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order, Facing facing);
     ~VertexInput();
     VertexInput(const VertexInput&) = delete;
     VertexInput& operator=(const VertexInput&) = delete;
 
-    /// Binds an instance's mesh as vertex input and sets the instance's uniforms and winding.
+    /// Binds an instance's mesh as vertex input and sets the instance's uniforms, its winding, and which of its faces are drawn.
     void bind(const View& view, uint32_t instance, Indices indices);
     [[nodiscard]] const void* indexAddress(uint32_t firstIndex) const {
         // In a buffer the address is an offset from its start, and no pointer to add to.
@@ -119,6 +130,7 @@ private:
     const SceneBuffers& m_buffers;
     unsigned m_vertexArray;
     TriangleOrderPointer m_order;
+    FacingState m_facing;
     uint32_t m_bound = UINT32_MAX;
     Indices m_boundIndices = Indices::Whole;
     GpuIndices m_indices;

@@ -93,7 +93,7 @@ void Renderer::execute(const View& view, const Choice& choice, Framebuffer& targ
     if (cleared) clearTo(style);
     glUseProgram(m_programs->lambert.id());
     glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
-    VertexInput input(*choice.m_buffers, m_programs->vertexArray, list.order);
+    VertexInput input(*choice.m_buffers, m_programs->vertexArray, list.order, list.facing);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, choice.m_commands);
     for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {
         while (end < list.ranges.size() && list.ranges[end].instance == list.ranges[begin].instance) ++end;

@@ -33,7 +33,7 @@ void Renderer::drawSpherical(const SceneBuffers& buffers, const View& view, cons
     glUniform4f(kMap, float(area.left - target.tile().x), float(area.bottom - target.tile().y), float(area.width),
                 float(area.height));
     glUniform3fv(kRamp, static_cast<GLsizei>(model.ramp.size()), glm::value_ptr(model.ramp.front()));
-    VertexInput input(buffers, m_programs->vertexArray, list.order);
+    VertexInput input(buffers, m_programs->vertexArray, list.order, Facing::TwoSided);
     input.bindMesh(buffers.scene().instances()[model.instance].mesh, VertexInput::Indices::InOrder);
     for (const DrawRange& range : list.ranges)
         if (range.instance == model.instance)

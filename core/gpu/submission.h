@@ -28,7 +28,7 @@ template <typename PerInstance>
 void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray, bool numbered,
             const PerInstance& perInstance) {
     using Indices = VertexInput::Indices;
-    VertexInput input(buffers, vertexArray, list.order);
+    VertexInput input(buffers, vertexArray, list.order, list.facing);
     std::vector<GLsizei> counts;
     std::vector<const void*> addresses;
     for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {

@@ -46,10 +46,11 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
         if (subject.picture.empty()) add(name, value);
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
     if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));
-    if (subject.ratioToFrontFaces) {
-        const auto& [ratio, interval] = *subject.ratioToFrontFaces;
-        add("ratio_to_backface", text(ratio));
-        add("ratio_to_backface_ci95", text(interval[0]) + "," + text(interval[1]));
+    if (subject.ratioToSameSides) {
+        const auto& [ratio, interval, baseline] = *subject.ratioToSameSides;
+        add("ratio_to_same_sides", text(ratio));
+        add("ratio_to_same_sides_ci95", text(interval[0]) + "," + text(interval[1]));
+        add("same_sides_baseline", baseline);
     }
     if (subject.figuresSize) add("figures_size", sizeText(*subject.figuresSize));
     return pairs;

@@ -36,9 +36,10 @@ struct PictureSubject {
     struct Ratio {
         double ratio = 0.0;
         std::array<double, 2> ci95{};
+        std::string baseline;
     };
-    std::optional<Ratio> ratioToFrontFaces;  ///< as in result files
-    std::optional<Viewport> figuresSize;     ///< the size at which the last two were measured
+    std::optional<Ratio> ratioToSameSides;  ///< as in result files
+    std::optional<Viewport> figuresSize;    ///< the size at which the last two were measured
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is

@@ -1,6 +1,7 @@
 #include "core/measure/meter.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/measure/summary.h"
@@ -22,6 +23,19 @@ bool isRefusal(const Error& error, const MeasureRequest& request) {
     return request.refusalsAreResults && error.kind() != ErrorKind::Interrupted;
 }
 
+/// Adds the baselines that draw by the facing rules of the strategies, where they are not there yet.
+void addOwnRules(std::vector<Contestant>& strategies, const ScenePointer& scene, StructureStore& structures,
+                 const Progress& progress) {
+    std::set<Facing> rules;
+    for (const Contestant& contestant : strategies) rules.insert(contestant.strategy->facing());
+    for (const Facing rule : rules) {
+        const StrategyRequest baseline = baselineUnder(rule);
+        if (std::ranges::find(strategies, baseline, &Contestant::request) != strategies.end()) continue;
+        strategies.push_back(
+            {baseline, buildStrategy(strategyOf(baseline), baseline.parameters, scene, structures, progress), false});
+    }
+}
+
 }  // namespace
 
 std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
@@ -35,14 +49,18 @@ std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& stra
     return built;
 }
 
-const BuiltStrategyPointer& ViewBaseline::of(const ScenePointer& scene, StructureStore& structures) {
-    if (!m_built || m_built->scenePointer() != scene)
-        m_built = baselinesBeside({}, scene, structures, BaselineRole::FrontFaces).front().strategy;
-    return m_built;
+const BuiltStrategyPointer& ViewBaselines::under(Facing rule, const ScenePointer& scene, StructureStore& structures) {
+    BuiltStrategyPointer& built = m_built[size_t(rule)];
+    if (!built || built->scenePointer() != scene) {
+        const StrategyRequest baseline = baselineUnder(rule);
+        built = buildStrategy(strategyOf(baseline), baseline.parameters, scene, structures);
+    }
+    return built;
 }
 
-void ViewBaseline::leaveOthers(const ScenePointer& scene) {
-    if (m_built && m_built->scenePointer() != scene) m_built.reset();
+void ViewBaselines::leaveOthers(const ScenePointer& scene) {
+    for (BuiltStrategyPointer& built : m_built)
+        if (built && built->scenePointer() != scene) built.reset();
 }
 
 Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
@@ -71,6 +89,7 @@ Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, St
         baseline.askedFor = request.baselinesToo;
         built.strategies.push_back(std::move(baseline));
     }
+    addOwnRules(built.strategies, request.scene, structures, {nullptr, progress.stop});
     return built;
 }
 
@@ -94,6 +113,7 @@ public:
             run.promise = contestant.strategy->promise();
             run.facing = contestant.strategy->facing();
             run.referenceFacing = contestant.strategy->referenceFacing();
+            run.ownRule = baselineUnder(run.facing);
             run.structure = contestant.strategy->report();
             m_runs.push_back(std::move(run));
             m_taking.push_back({});

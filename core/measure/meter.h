@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <limits>
 #include <map>
@@ -48,10 +49,11 @@ struct Summary {
     double fpsOverall = 0.0;  ///< poses / total time
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
-    double cullShare = 0.0;                             ///< of the frame time
-    double culledFraction = 0.0;                        ///< 1 less the share of the scene's triangles submitted, mean over poses
-    std::optional<double> missedPixelRate;              ///< missed / covered, over all poses
-    RatioEstimate ratioToTriangles, ratioToFrontFaces;  ///< ratioOver the poses: what "×" says everywhere
+    double cullShare = 0.0;                 ///< of the frame time
+    double culledFraction = 0.0;            ///< 1 less the share of the scene's triangles submitted, mean over poses
+    std::optional<double> missedPixelRate;  ///< missed / covered, over all poses
+    RatioEstimate ratioToOwnRule;  ///< ratioOver the poses, to the baseline with the same facing rule: what "×" says everywhere
+    RatioEstimate ratioToTriangles, ratioToFrontFaces;      ///< the same to the baselines, whatever sides they draw
     RatioEstimate speedupVsTriangles, speedupVsFrontFaces;  ///< meanOfRatios over the poses, which papers quote
 };
 
@@ -61,6 +63,7 @@ struct RunMeasurement {
     Promise promise = Promise::Approximate;  ///< the weakest over the poses measured
     Facing facing = Facing::TwoSided;
     Facing referenceFacing = Facing::TwoSided;
+    StrategyRequest ownRule;  ///< the baseline of Summary::ratioToOwnRule
     StructureReport structure;
     std::vector<FrameMeasurement> frames;  ///< by pose; the last ones are missing where it refused one or took too long
     Summary summary;
@@ -99,15 +102,15 @@ struct Contestant {
                                                       StructureStore& structures, std::optional<BaselineRole> role = {},
                                                       const Progress& progress = {});
 
-/// The baseline beside which single views of a scene are timed: `backface`, built once for a scene.
-class ViewBaseline {
+/// The baselines beside which single views of a scene are timed (baselineUnder), each built once for a scene.
+class ViewBaselines {
 public:
-    [[nodiscard]] const BuiltStrategyPointer& of(const ScenePointer& scene, StructureStore& structures);
+    [[nodiscard]] const BuiltStrategyPointer& under(Facing rule, const ScenePointer& scene, StructureStore& structures);
     /// Leaves what was built for another scene, so that it does not keep that scene alive.
     void leaveOthers(const ScenePointer& scene);
 
 private:
-    BuiltStrategyPointer m_built;
+    std::array<BuiltStrategyPointer, kFacingRules> m_built;
 };
 
 struct Contestants {

@@ -8,11 +8,15 @@
 namespace cullscope {
 namespace {
 
-/// Sets both ratios of a run's times to a baseline's; neither where no such baseline was measured.
-void compareTo(BaselineRole role, const RunMeasurement& run, const std::vector<RunMeasurement>& runs, RatioEstimate& ofTotals,
-               RatioEstimate& mean) {
-    const std::string& id = baselineOf(role).id;
-    const auto found = std::ranges::find_if(runs, [&](const RunMeasurement& other) { return other.strategy.id == id; });
+StrategyRequest baselineAtDefaults(BaselineRole role) {
+    const StrategyInfo& info = baselineOf(role);
+    return {info.id, ParameterSet(info.parameters)};
+}
+
+/// Sets both ratios of a run's times to a baseline's; neither where it was not measured.
+void compareTo(const StrategyRequest& baseline, const RunMeasurement& run, const std::vector<RunMeasurement>& runs,
+               RatioEstimate& ofTotals, RatioEstimate& mean) {
+    const auto found = std::ranges::find(runs, baseline, &RunMeasurement::strategy);
     if (found == runs.end()) return;
     std::vector<double> ratios;
     for (size_t i = 0; i < std::min(run.frames.size(), found->frames.size()); ++i)
@@ -46,8 +50,10 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     summary.culledFraction = scene.triangleCount() > 0 ? 1.0 - submitted / double(frames.size()) : 0.0;
     if (const std::optional<Losses> lost = run.losses())
         summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
-    compareTo(BaselineRole::Triangles, run, runs, summary.ratioToTriangles, summary.speedupVsTriangles);
-    compareTo(BaselineRole::FrontFaces, run, runs, summary.ratioToFrontFaces, summary.speedupVsFrontFaces);
+    compareTo(baselineAtDefaults(BaselineRole::Triangles), run, runs, summary.ratioToTriangles, summary.speedupVsTriangles);
+    compareTo(baselineAtDefaults(BaselineRole::FrontFaces), run, runs, summary.ratioToFrontFaces, summary.speedupVsFrontFaces);
+    RatioEstimate ofPapers;
+    compareTo(run.ownRule, run, runs, summary.ratioToOwnRule, ofPapers);
     return summary;
 }
 

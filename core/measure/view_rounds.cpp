@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/visibility/strategy_request.h"
+
 namespace cullscope {
 namespace {
 
@@ -57,10 +59,14 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
     }
     for (size_t i = 0; i < m_subjects.size(); ++i) {
         const ViewSubject& subject = m_subjects[i];
-        if (!subject.baseline) continue;
-        TimedFrames work{subject.buffers.get(), subject.baseline, subject.view, {}};
-        work.memories.push_back(subject.baseline->begin());
-        m_places[i].baseline = joined(timed, std::move(work));
+        const auto beside = [&](const BuiltStrategyPointer& baseline) -> std::optional<size_t> {
+            if (!baseline) return std::nullopt;
+            TimedFrames work{subject.buffers.get(), baseline, subject.view, {}};
+            work.memories.push_back(baseline->begin());
+            return joined(timed, std::move(work));
+        };
+        m_places[i].baseline = beside(subject.baseline);
+        m_places[i].fronts = beside(subject.fronts);
     }
     m_rounds = std::make_unique<TimedRounds>(std::move(timed), protocol, backwards);
 }
@@ -105,9 +111,15 @@ void ViewRounds::addTimes(size_t subject, ViewFigures& figures) const {
     figures.frameMilliseconds = own.frameMilliseconds;
     figures.cullMilliseconds = own.cullMilliseconds;
     figures.timed = true;
-    if (!m_places[subject].baseline) return;
-    const FrameMeasurement baseline = measurementOf(timed(*m_places[subject].baseline));
-    figures.speedup = ratioOver({&baseline, 1}, {&own, 1});
+    const auto over = [&](const std::optional<size_t>& place) -> std::optional<RatioEstimate> {
+        if (!place) return std::nullopt;
+        const FrameMeasurement baseline = measurementOf(timed(*place));
+        return ratioOver({&baseline, 1}, {&own, 1});
+    };
+    figures.speedup = over(m_places[subject].baseline);
+    figures.speedupOverFronts = over(m_places[subject].fronts);
+    if (const BuiltStrategyPointer& baseline = m_subjects[subject].baseline)
+        figures.baseline = strategyLabel({baseline->id(), baseline->parameters()});
 }
 
 FrameMeasurement ViewRounds::measurement(size_t subject) const {

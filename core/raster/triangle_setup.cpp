@@ -145,7 +145,8 @@ bool coversCentre(const ScreenTriangle& triangle, int column, int row) {
 }
 
 RasterFacing::RasterFacing(const Scene& scene, size_t instance, Facing facing)
-    : front(facing == Facing::Front), mirrored(glm::determinant(Mat3(scene.instances()[instance].worldFromMesh)) < 0.0) {}
+    : front(dropsBacks(scene, instance, facing)),
+      mirrored(glm::determinant(Mat3(scene.instances()[instance].worldFromMesh)) < 0.0) {}
 
 RasterFate addClipped(const Projection& projection, const std::array<Clip, 3>& corners, const RasterFacing& facing,
                       uint32_t number, const Viewport& size, std::vector<ScreenTriangle>& triangles) {

@@ -54,6 +54,20 @@ Camera turned(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
     return result;
 }
 
+Camera turnedAbout(const Camera& camera, UpAxis up, const Vec3& pivot, Angle azimuth, Angle elevation) {
+    const Camera result = turned(camera, up, azimuth, elevation);
+    // Both cameras stand upright: their right sides are horizontal, and the turn takes one's axes to the other's.
+    const auto axes = [](const Camera& upright) {
+        const Vec3 back = glm::normalize(upright.eye - upright.target), right = glm::cross(upright.up, back);
+        return Mat3(glm::normalize(right), glm::cross(back, glm::normalize(right)), back);
+    };
+    const Mat3 turn = axes(result) * glm::transpose(axes(turned(camera, up, {}, {})));
+    Camera about = result;
+    about.eye = pivot + turn * (turned(camera, up, {}, {}).eye - pivot);
+    about.target = pivot + turn * (camera.target - pivot);
+    return about;
+}
+
 Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction) {
     const double height = glm::dot(glm::normalize(direction), axisVector(up));
     // At the poles the azimuth is not defined by the direction: the present azimuth is kept.

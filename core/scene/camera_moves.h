@@ -15,6 +15,8 @@ namespace cullscope {
 
 /// Orbits the target like a turntable: by `azimuth` about the up axis, by `elevation` towards it, stopping before the poles.
 [[nodiscard]] Camera turned(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation);
+/// The same about another point, which keeps its place in the picture.
+[[nodiscard]] Camera turnedAbout(const Camera& camera, UpAxis up, const Vec3& pivot, Angle azimuth, Angle elevation);
 /// Looks at the same target from a direction (target to eye, any length); along the up axis, as near to the pole as turned()
 /// goes.
 [[nodiscard]] Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction);

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <charconv>
+#include <functional>
 #include <numbers>
 
 #include "core/base/error.h"
 #include "core/scene/eye_triangle.h"
 #include "core/scene/frustum_share.h"
+#include "core/scene/tour.h"
 
 namespace cullscope {
 namespace {
@@ -187,16 +189,53 @@ size_t poseCount(std::string_view text, std::string_view name) {
     return count;
 }
 
-std::optional<CameraPath> builtIn(std::string_view name, const Scene& scene) {
+/// A built-in path and what makes it; the number of poses counts where the id ends with ":N".
+struct Maker {
+    BuiltInPath path;
+    std::function<CameraPath(const Scene&, size_t count, const Progress&)> make;
+
+    [[nodiscard]] bool numbered() const { return path.id.ends_with(":N"); }
+    [[nodiscard]] std::string_view name() const {
+        return std::string_view(path.id).substr(0, path.id.size() - (numbered() ? 2 : 0));
+    }
+};
+
+Maker maker(std::string id, std::string description, CameraPath (*make)(const Scene&, size_t)) {
+    return {{std::move(id), std::move(description)},
+            [make](const Scene& scene, size_t count, const Progress&) { return make(scene, count); }};
+}
+
+Maker maker(const SphericalCase& wanted, std::string description) {
+    return {{wanted.name, std::move(description)},
+            [wanted](const Scene& scene, size_t, const Progress&) { return sphericalCase(scene, wanted); }};
+}
+
+const std::vector<Maker>& makers() {
+    static const std::vector<Maker> kMakers{
+        maker("orbit:N", CULLSCOPE_TR("N poses on a circle at three times the scene's radius, 15 degrees above it"), orbit),
+        maker("fibonacci:N", CULLSCOPE_TR("N poses spread evenly around the scene at three times its radius"), fibonacci),
+        {{"tour:N", CULLSCOPE_TR("N poses in a scene that one stands in: above its floors, outside solids, where much is seen")},
+         tour},
+        maker("walk:N", CULLSCOPE_TR("N poses on a walk into the scene, looking ahead"), walk),
+        maker("front:N", CULLSCOPE_TR("N poses before the scene's front, looking along -z, which the scene fills"), front),
+        maker(kSphericalCases[0],
+              CULLSCOPE_TR("12 close views with a pole of the spherical map in them, 9.4 % of the faces in the frustum")),
+        maker(kSphericalCases[1],
+              CULLSCOPE_TR("12 close views of one clump of the spherical map, 11.4 % of the faces in the frustum")),
+        maker(kSphericalCases[2],
+              CULLSCOPE_TR("12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum"))};
+    return kMakers;
+}
+
+std::optional<CameraPath> builtIn(std::string_view name, const Scene& scene, const Progress& progress) {
+    constexpr size_t kUsualPoses = 16;
     const size_t colon = name.find(':');
     const std::string_view id = name.substr(0, colon);
-    const std::string_view rest = colon == std::string_view::npos ? std::string_view("16") : name.substr(colon + 1);
-    if (id == "orbit") return orbit(scene, poseCount(rest, name));
-    if (id == "fibonacci") return fibonacci(scene, poseCount(rest, name));
-    if (id == "walk") return walk(scene, poseCount(rest, name));
-    if (id == "front") return front(scene, poseCount(rest, name));
-    for (const SphericalCase& wanted : kSphericalCases)
-        if (name == wanted.name) return sphericalCase(scene, wanted);
+    for (const Maker& known : makers()) {
+        if (known.name() != (known.numbered() ? id : name)) continue;
+        const size_t count = colon == std::string_view::npos ? kUsualPoses : poseCount(name.substr(colon + 1), name);
+        return known.make(scene, count, progress);
+    }
     return std::nullopt;
 }
 
@@ -206,16 +245,13 @@ Camera CameraPath::camera(size_t pose) const {
     return {poses.at(pose).eye, poses.at(pose).target, poses.at(pose).up, fovy, nearDistance, farDistance};
 }
 
-CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
-    if (auto path = builtIn(nameOrFile, scene)) return *path;
+CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene, const Progress& progress) {
+    if (auto path = builtIn(nameOrFile, scene, progress)) return *path;
     const std::filesystem::path file{std::string(nameOrFile)};
     std::error_code ignored;  // a name may be too long to be asked for
     if (nameOrFile.find_first_of("./\\") == std::string_view::npos && !std::filesystem::exists(file, ignored))
-        throwUsage(
-            CULLSCOPE_TR(
-                "\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, "
-                "case-1, case-2, case-3."),
-            {std::string(nameOrFile)});
+        throwUsage(CULLSCOPE_TR("\"%1\" is neither a camera path file nor a built-in path. Built in: %2."),
+                   {std::string(nameOrFile), builtInPathNames()});
     if (!std::filesystem::is_regular_file(file, ignored))
         throwInput(CULLSCOPE_TR("%1 is no camera path file that can be read: check the name."), {file.string()});
     return readCameraPath(file);
@@ -225,7 +261,10 @@ Angle verticalField(Angle horizontal, const Viewport& size) {
     return Angle::fromRadians(2.0 * std::atan(std::tan(horizontal.radians() / 2.0) * size.height / size.width));
 }
 
-std::string defaultPathName(const Scene& scene) { return scene.instances().size() > 1 ? "walk:16" : "fibonacci:16"; }
+std::string defaultPathName(const Scene& scene) {
+    if (isStoodIn(scene)) return "tour:16";
+    return scene.instances().size() > 1 ? "walk:16" : "fibonacci:16";
+}
 
 Camera overviewCamera(const Scene& scene, double aspect) {
     if (scene.remarks().camera) return *scene.remarks().camera;
@@ -252,15 +291,18 @@ void fitDepthRange(Camera& camera, const Scene& scene) {
 }
 
 const std::vector<BuiltInPath>& builtInPaths() {
-    static const std::vector<BuiltInPath> kPaths{
-        {"orbit:N", CULLSCOPE_TR("N poses on a circle at three times the scene's radius, 15 degrees above it")},
-        {"fibonacci:N", CULLSCOPE_TR("N poses spread evenly around the scene at three times its radius")},
-        {"walk:N", CULLSCOPE_TR("N poses on a walk into the scene, looking ahead")},
-        {"front:N", CULLSCOPE_TR("N poses before the scene's front, looking along -z, which the scene fills")},
-        {"case-1", CULLSCOPE_TR("12 close views with a pole of the spherical map in them, 9.4 % of the faces in the frustum")},
-        {"case-2", CULLSCOPE_TR("12 close views of one clump of the spherical map, 11.4 % of the faces in the frustum")},
-        {"case-3", CULLSCOPE_TR("12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum")}};
+    static const std::vector<BuiltInPath> kPaths = [] {
+        std::vector<BuiltInPath> paths;
+        for (const Maker& maker : makers()) paths.push_back(maker.path);
+        return paths;
+    }();
     return kPaths;
+}
+
+std::string builtInPathNames() {
+    std::string names;
+    for (const BuiltInPath& path : builtInPaths()) names += (names.empty() ? "" : ", ") + path.id;
+    return names;
 }
 
 }  // namespace cullscope

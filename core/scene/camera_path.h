@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 
@@ -27,15 +28,16 @@ struct CameraPath {
 /// The most poses of a path, built in or from a file.
 inline constexpr size_t kMostPoses = 1'000'000;
 
-/// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `front:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
+/// A built-in path (builtInPaths()) for a scene, or a JSON file. `tour:N` and the cases take seconds in large scenes.
 /// Throws Error(Usage) for an unknown name or a bad number of poses, Error(Input) naming file and field for a bad or missing
-/// file.
-[[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);
+/// file, Error(Interrupted) on a stop request.
+[[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene, const Progress& progress = {});
 
 /// The vertical field of view of a picture of that size with that horizontal one; both are full angles.
 [[nodiscard]] Angle verticalField(Angle horizontal, const Viewport& size);
 
-/// The path that a scene is measured on by default: `fibonacci:16` for one object, `walk:16` for several.
+/// The path that a scene is measured on by default: `tour:16` where one stands in it (isStoodIn in scene/tour.h), else
+/// `fibonacci:16` for one object, `walk:16` for several. Looks at every triangle once.
 [[nodiscard]] std::string defaultPathName(const Scene& scene);
 
 /// The camera with which a window first shows a scene: all of it in view, slightly from above, with the scene's up axis
@@ -56,5 +58,7 @@ struct BuiltInPath {
     std::string description;  ///< English, marked for translation
 };
 [[nodiscard]] const std::vector<BuiltInPath>& builtInPaths();
+/// Their ids with commas between them.
+[[nodiscard]] std::string builtInPathNames();
 
 }  // namespace cullscope

@@ -73,6 +73,10 @@ Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Inst
         grow(m_instanceBoxes.back(), m_instanceSpheres.back(), pictureRounding(instance));
     }
     m_sphere = around(exactSpheres, m_bounds);
+    size_t triangles = 0;
+    const std::vector<bool> shown = shownMeshes();
+    for (size_t i = 0; i < m_meshes.size(); ++i) triangles += shown[i] ? m_meshes[i]->triangleCount() : 0;
+    m_topologyAsked = triangles <= kOptionalAnalysisLimit;
     if (sameSurface == nullptr) return;
     assert(triangleCount() == sameSurface->triangleCount());
     m_bounds = sameSurface->m_bounds;
@@ -157,15 +161,9 @@ size_t Scene::bytes() const {
 }
 
 bool Scene::frontFacesSuffice() const {
-    std::vector<bool> drawn(m_meshes.size(), false);
-    for (const Instance& instance : m_instances) drawn[instance.mesh] = true;
-    size_t triangles = 0;
-    for (size_t i = 0; i < m_meshes.size(); ++i)
-        if (drawn[i]) triangles += m_meshes[i]->triangleCount();
-    if (triangles > kOptionalAnalysisLimit) return false;
-    for (size_t i = 0; i < m_meshes.size(); ++i)
-        if (drawn[i] && !m_meshes[i]->topology().frontFacesSuffice()) return false;
-    return true;
+    for (size_t i = 0; i < m_instances.size(); ++i)
+        if (meshOf(i).triangleCount() > 0 && !frontFacesSuffice(i)) return false;
+    return m_topologyAsked;
 }
 
 }  // namespace cullscope

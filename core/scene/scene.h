@@ -93,8 +93,13 @@ public:
     [[nodiscard]] std::string sha256() const;
     [[nodiscard]] size_t bytes() const;
 
-    /// Whether no back face can be visible from outside any mesh: the criterion of `facing = auto`. False, and not computed, for
-    /// a scene whose meshes have more than kOptionalAnalysisLimit triangles together. Meshes without an instance do not count.
+    /// Whether no back face of an object can be seen from outside it: its mesh is closed, consistently oriented and outward. The
+    /// criterion of `facing = auto`. False, and not computed, in a scene whose meshes have more than kOptionalAnalysisLimit
+    /// triangles together; meshes without an instance do not count.
+    [[nodiscard]] bool frontFacesSuffice(size_t instance) const {
+        return m_topologyAsked && meshOf(instance).topology().frontFacesSuffice();
+    }
+    /// The same of all objects that have triangles.
     [[nodiscard]] bool frontFacesSuffice() const;
 
 private:
@@ -107,6 +112,7 @@ private:
     Box3 m_bounds;
     Sphere m_sphere;
     SceneRemarks m_remarks;
+    bool m_topologyAsked = true;  ///< false above kOptionalAnalysisLimit
 };
 
 using ScenePointer = std::shared_ptr<const Scene>;

@@ -74,7 +74,7 @@ private:
         piece.lastCut = lastCut;
         piece.plane = m_triangles.planeOf(triangle);
         piece.eyeSide = int8_t(sideOfPlane(piece.plane.a, piece.plane.b, piece.plane.c, m_view.eye()));
-        const bool dropped = m_options.facing == Facing::Front && piece.eyeSide * (isMirrored(triangle) ? -1 : 1) < 0;
+        const bool dropped = seesBack(triangle, piece.eyeSide);
         if (!dropped && piece.eyeSide != 0) {
             m_corners.clear();
             for (const CutTriangles::Corner& corner : m_triangles.cornersOf(polygon))
@@ -88,14 +88,16 @@ private:
         m_pieces.push_back(std::move(piece));
     }
 
-    bool isMirrored(uint32_t triangle) {
+    /// Whether the eye sees a side that is not drawn.
+    bool seesBack(uint32_t triangle, int eyeSide) {
         if (triangle < m_firstTriangle || triangle >= m_endTriangle) {
             const size_t instance = m_scene.instanceOf(triangle);
             m_firstTriangle = m_scene.firstTriangle(instance);
             m_endTriangle = m_firstTriangle + m_scene.meshOf(instance).triangleCount();
             m_mirrored = glm::determinant(Mat3(m_scene.instances()[instance].worldFromMesh)) < 0.0;
+            m_dropsBacks = dropsBacks(m_scene, instance, m_options.facing);
         }
-        return m_mirrored;
+        return m_dropsBacks && eyeSide * (m_mirrored ? -1 : 1) < 0;
     }
 
     void sortByCentroid() {
@@ -347,7 +349,7 @@ private:
     uint32_t m_inHand = 0;  ///< the piece that the last step was about, while some wait
     NewellTest m_lastTest = NewellTest::Depth;
     uint64_t m_firstTriangle = 0, m_endTriangle = 0;  ///< of the instance last asked about
-    bool m_mirrored = false;
+    bool m_mirrored = false, m_dropsBacks = false;    ///< of that instance
     PaintersOrder m_result;
 };
 

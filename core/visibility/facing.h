@@ -10,8 +10,10 @@ namespace cullscope {
 /// strategies from papers that draw both sides.
 [[nodiscard]] ParameterDeclaration facingParameter(std::string defaultId = "auto");
 
-/// The facing rule for a scene: `auto` is front where every mesh is closed, consistently oriented and outward, else two-sided.
-/// Two-sided for strategies without the parameter.
+/// The facing rule for a scene: `auto` is front for each object whose mesh is closed, consistently oriented and outward, and
+/// two-sided for the others. Two-sided for strategies without the parameter.
+/// Front where that is the rule of every object, TwoSided where it is that of none, else ByObject.
+[[nodiscard]] Facing facingByObject(const Scene& scene);
 [[nodiscard]] Facing resolveFacing(const ParameterSet& parameters, const Scene& scene);
 
 }  // namespace cullscope

@@ -78,11 +78,18 @@ std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& 
 std::vector<StrategyRequest> missingBaselines(const std::vector<StrategyRequest>& strategies) {
     std::vector<StrategyRequest> missing;
     for (const RegisteredStrategy& known : cullscope::strategies()) {
-        const auto same = [&](const StrategyRequest& strategy) { return strategy.id == known.info.id; };
-        if (known.info.baseline != BaselineRole::None && std::ranges::none_of(strategies, same))
-            missing.push_back({known.info.id, ParameterSet(known.info.parameters)});
+        StrategyRequest baseline{known.info.id, ParameterSet(known.info.parameters)};
+        if (known.info.baseline != BaselineRole::None && std::ranges::find(strategies, baseline) == strategies.end())
+            missing.push_back(std::move(baseline));
     }
     return missing;
+}
+
+StrategyRequest baselineUnder(Facing rule) {
+    const StrategyInfo& info = baselineOf(rule == Facing::Front ? BaselineRole::FrontFaces : BaselineRole::Triangles);
+    StrategyRequest baseline{info.id, ParameterSet(info.parameters)};
+    if (rule == Facing::ByObject) baseline.parameters.setFromText("facing", "auto");
+    return baseline;
 }
 
 std::vector<std::string> changedParameters(const ParameterSet& parameters) {

@@ -14,6 +14,8 @@ struct StrategyRequest {
     std::string id;
     ParameterSet parameters;
     std::shared_ptr<const RegisteredStrategy> own{};  ///< a strategy that is not in the registry; null: found by the id
+
+    bool operator==(const StrategyRequest& other) const { return id == other.id && parameters == other.parameters; }
 };
 /// The requested strategy. Throws what findStrategy throws.
 [[nodiscard]] const RegisteredStrategy& strategyOf(const StrategyRequest& request);
@@ -35,8 +37,12 @@ struct StrategyRequest {
 /// The same for tables and plots: `id key=value key=value`.
 [[nodiscard]] std::string strategyLabel(const StrategyRequest& strategy);
 
-/// The baselines that are not among the strategies, each at its defaults: with them, every strategy has what it is compared with.
+/// The baselines that are not among the strategies at their defaults, each at its defaults: with them, every strategy has what it
+/// is compared with.
 [[nodiscard]] std::vector<StrategyRequest> missingBaselines(const std::vector<StrategyRequest>& strategies);
+
+/// The baseline that draws all triangles by a facing rule: what a strategy with that rule is compared with.
+[[nodiscard]] StrategyRequest baselineUnder(Facing rule);
 
 /// "key=value" in its parts. Throws Error(Usage) where there is no '=' or nothing before it.
 [[nodiscard]] std::pair<std::string, std::string> keyAndValue(std::string_view text);

@@ -115,16 +115,16 @@ private:
 /// The state of a submitted triangle.
 struct Submitted {
     const std::optional<VisibleTriangles>& truth;
-    Facing facing;
+    bool dropsBacks = false, truthDropsBacks = false;  ///< of the triangle's object
 
     [[nodiscard]] TriangleState state(TriangleState before, const InstanceFromEye& instance, uint64_t triangle) const {
         // All triangles of V were marked as lost before; one that an earlier range drew is already Visible.
         const bool inV = truth.has_value() && (before == TriangleState::WronglyCulled || before == TriangleState::Visible);
-        const bool dropped = facing == Facing::Front && instance.facesAway(triangle);
+        const bool dropped = dropsBacks && instance.facesAway(triangle);
         if (inV) {
             // With a reference of front faces only, OpenGL's facing decision for a visible triangle is the same in the strategy's
             // picture, also edge-on.
-            return dropped && truth->facing == Facing::TwoSided ? TriangleState::WronglyCulled : TriangleState::Visible;
+            return dropped && !truthDropsBacks ? TriangleState::WronglyCulled : TriangleState::Visible;
         }
         if (dropped) return TriangleState::BackFacing;
         return truth.has_value() ? TriangleState::InVain : TriangleState::Visible;
@@ -140,9 +140,10 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
     result.states = NamedStates(scene, log).take();
     if (truth.has_value())
         for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
-    const Submitted submitted{truth, log.facing};
     for (const DrawRange& range : list.ranges) {
         const InstanceFromEye instance(scene, range.instance, log.camera.eye);
+        const Submitted submitted{truth, dropsBacks(scene, range.instance, log.facing),
+                                  truth.has_value() && dropsBacks(scene, range.instance, truth->facing)};
         const uint64_t first = scene.firstTriangle(range.instance);
         const uint32_t mesh = scene.instances()[range.instance].mesh;
         // Stand-ins are drawn for the whole object.

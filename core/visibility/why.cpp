@@ -190,6 +190,7 @@ WhyStep whyStep(const Decision& decision) {
     WhyStep result{{}, decision.plane, {}, {}, decision.containment};
     if (decision.sentence == nullptr) {
         result.sentence = endSentence(decision);
+        result.ofEnd = true;
         return result;
     }
     std::vector<std::string> arguments;
@@ -239,25 +240,40 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
                          {},
                          {},
                          {},
-                         Containment::Straddles});
+                         Containment::Straddles,
+                         false,
+                         true});
         return steps;
     }
     const bool given = submits(drawn, scene, instance, own);
     if (!log.whole)
         if (std::optional<Message> words = soFar(scene, log, triangle, given)) {
-            steps.push_back({std::move(*words), {}, {}, {}, Containment::Straddles});
+            steps.push_back({std::move(*words), {}, {}, {}, Containment::Straddles, false, true});
             return steps;
         }
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     const bool ownPicture = std::ranges::any_of(
         log.commands, [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });
-    steps.push_back({{lastSentence(given, ownPicture), {}}, {}, {}, {}, containment});
+    steps.push_back({{lastSentence(given, ownPicture), {}}, {}, {}, {}, containment, false, true});
     if (given && !ownPicture) {
         const bool away = InstanceFromEye(scene, instance, log.camera.eye).facesAway(own);
-        const bool dropped = log.facing == Facing::Front && away;
-        steps.push_back({openGlSentence(log.facing, away), {}, {}, {}, dropped ? Containment::Outside : Containment::Straddles});
+        const Facing facing = facingOf(scene, instance, log.facing);
+        const bool dropped = facing == Facing::Front && away;
+        const Containment drawnSide = dropped ? Containment::Outside : Containment::Straddles;
+        steps.push_back({openGlSentence(facing, away), {}, {}, {}, drawnSide, false, true});
     }
     return steps;
+}
+
+const WhyStep* decidingStep(std::span<const WhyStep> steps) {
+    if (steps.empty()) return nullptr;
+    const bool leftOut = steps.back().containment == Containment::Outside;
+    const auto decided = [leftOut](const WhyStep& step) {
+        return !step.ofEnd && (!leftOut || step.containment == Containment::Outside);
+    };
+    for (size_t i = steps.size(); i-- > 0;)
+        if (decided(steps[i])) return &steps[i];
+    return &steps.back();
 }
 
 }  // namespace cullscope

@@ -336,11 +336,6 @@
         <translation>전략이 만든 삼각형 조각 %1개로 제출</translation>
     </message>
     <message>
-        <source>%1 against %2, with its 95 % interval</source>
-        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
-        <translation>%2 대비 %1, 괄호 안은 95 % 구간</translation>
-    </message>
-    <message>
         <source>In force, to hold the frame time: %1</source>
         <translation>프레임 시간을 지키려고 지금 쓰는 값: %1</translation>
     </message>
@@ -348,6 +343,20 @@
         <source>Within the raster&apos;s snapping, and not lost: %1</source>
         <extracomment>Pixels that differ from the truth&apos;s only because OpenGL rounds corners to 1/256 pixel.</extracomment>
         <translation>래스터의 맞춤 안에 있어 잃은 것이 아님: %1</translation>
+    </message>
+    <message>
+        <source>%1 against %2, which draws the same sides, with its 95 % interval</source>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>같은 면을 그리는 %2에 대해 %1, 95 % 구간 포함</translation>
+    </message>
+    <message>
+        <source>%1 against %2, which draws front faces only</source>
+        <extracomment>The same against a baseline that draws front faces alone.</extracomment>
+        <translation>앞면만 그리는 %2에 대해 %1</translation>
+    </message>
+    <message>
+        <source>front faces only of closed objects, both sides of the others</source>
+        <translation>닫힌 물체는 앞면만, 나머지는 양면</translation>
     </message>
 </context>
 <context>
@@ -899,10 +908,6 @@
     <message>
         <source>Which faces are drawn: both sides, or only those whose front is turned to the eye.</source>
         <translation>그리는 면: 양면, 또는 앞이 눈을 향한 면만.</translation>
-    </message>
-    <message>
-        <source>front where every mesh is closed, else two-sided</source>
-        <translation>모든 메시가 닫혀 있으면 앞면만, 아니면 양면</translation>
     </message>
     <message>
         <source>both sides</source>
@@ -2069,10 +2074,6 @@
         <translation>속도와 손실</translation>
     </message>
     <message>
-        <source>× backface</source>
-        <translation>× backface</translation>
-    </message>
-    <message>
         <source>missed pixels, share</source>
         <translation>놓친 픽셀의 비율</translation>
     </message>
@@ -2961,10 +2962,6 @@
         <translation>행 조각 %1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
-        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</translation>
-    </message>
-    <message>
         <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
         <translation>장면 앞에서 -z 방향으로 보며 장면이 화면을 채우는 N개 자세</translation>
     </message>
@@ -3483,10 +3480,6 @@
     <message>
         <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
         <translation>&quot;%1&quot;의 BSP 트리에는 노드가 %2개를 넘게 필요합니다. 평면 %3개가 저마다 앞 평면의 모든 칸을 나눕니다. 평면 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
-    </message>
-    <message>
-        <source>draw its triangles, both sides</source>
-        <translation>삼각형을 양면 모두 그림</translation>
     </message>
     <message>
         <source>draw it: OpenGL drops back faces</source>
@@ -4840,6 +4833,38 @@
         <source>millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size</source>
         <translation>삼각형이 둥근 면에서 떨어지는 최대 거리(밀리미터). 주지 않으면 크기에 따라 원마다 8~32개의 현</translation>
     </message>
+    <message>
+        <source>by-object</source>
+        <translation>물체별</translation>
+    </message>
+    <message>
+        <source>× same sides [95 %]</source>
+        <translation>× 같은 면 [95 %]</translation>
+    </message>
+    <message>
+        <source>× a baseline that draws the same sides</source>
+        <translation>× 같은 면을 그리는 기준선</translation>
+    </message>
+    <message>
+        <source>N poses in a scene that one stands in: above its floors, outside solids, where much is seen</source>
+        <translation>안에 서 있게 되는 장면의 자세 N개: 바닥 위, 입체 밖, 많은 것이 보이는 곳</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: %2.</source>
+        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: %2.</translation>
+    </message>
+    <message>
+        <source>draw all its triangles</source>
+        <translation>그 삼각형을 모두 그린다</translation>
+    </message>
+    <message>
+        <source>front sides of each object whose mesh is closed, both sides of the others</source>
+        <translation>메시가 닫힌 물체는 앞면, 나머지는 양면</translation>
+    </message>
+    <message>
+        <source>baseline, same sides</source>
+        <translation>기준선, 같은 면</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5104,10 +5129,6 @@ OpenGL %2
         <translation>왼쪽 버튼 끌기</translation>
     </message>
     <message>
-        <source>turn about the centre of rotation</source>
-        <translation>회전 중심을 축으로 돌리기</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>휠</translation>
     </message>
@@ -5343,6 +5364,26 @@ OpenGL %2
         <source>in an open question: name all within the rectangle</source>
         <translation>열린 질문에서: 사각형 안의 모든 것을 지정</translation>
     </message>
+    <message>
+        <source>turn about what is under the pointer, or the centre of rotation</source>
+        <translation>포인터 아래의 것 또는 회전 중심을 축으로 돌리기</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ 와 ]</translation>
+    </message>
+    <message>
+        <source>fly slower, faster; the speed follows what is ahead</source>
+        <translation>더 느리게, 더 빠르게 날기; 속도는 앞에 있는 것까지의 거리를 따름</translation>
+    </message>
+    <message>
+        <source>Ctrl + ← and →</source>
+        <translation>Ctrl + ←, →</translation>
+    </message>
+    <message>
+        <source>one pose of the path back, on</source>
+        <translation>경로의 이전, 다음 자세</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -5425,8 +5466,8 @@ OpenGL %2
         <translation>다음: 뷰의 메뉴에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
     </message>
     <message>
-        <source>Over each picture: speed against %1 · triangles submitted · pixels missed</source>
-        <translation>그림 위: %1 대비 속도 · 제출한 삼각형 · 놓친 픽셀</translation>
+        <source>Over each picture: speed, same sides drawn · triangles submitted · pixels missed</source>
+        <translation>각 그림 위: 속도(같은 면) · 제출한 삼각형 · 놓친 픽셀</translation>
     </message>
 </context>
 <context>
@@ -5715,15 +5756,6 @@ OpenGL %2
         <translation>일부라도 그린 장면의 삼각형. 각각 한 번만 셉니다</translation>
     </message>
     <message>
-        <source>Speed against %1</source>
-        <comment>a strategy</comment>
-        <translation>%1 대비 속도</translation>
-    </message>
-    <message>
-        <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
-        <translation>같은 카메라에서 번갈아 잰 %1 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
-    </message>
-    <message>
         <source>– within snapping</source>
         <translation>– 맞춤 안의 것</translation>
     </message>
@@ -5734,6 +5766,14 @@ OpenGL %2
     <message>
         <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추기 때문에만 다른 픽셀이며 손실이 아닙니다. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
+    </message>
+    <message>
+        <source>Speed, same sides drawn</source>
+        <translation>속도, 같은 면을 그릴 때</translation>
+    </message>
+    <message>
+        <source>Frame time of the baseline that draws the same sides divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>같은 면을 그리는 기준선의 프레임 시간을 이 전략의 것으로 나눈 값, 같은 카메라에서 번갈아 측정</translation>
     </message>
 </context>
 <context>
@@ -5863,13 +5903,109 @@ OpenGL %2
         <translation>백만분의 놓침</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3 against %5, %4 per million missed</source>
-        <translation>%1, %2: %5 대비 ×%3, 백만분의 %4 놓침</translation>
+        <source>%1, %2: ×%3, %4 per million missed</source>
+        <translation>%1, %2: ×%3, 백만 개당 놓침 %4</translation>
     </message>
     <message>
-        <source>Speed against %1</source>
-        <comment>a strategy</comment>
-        <translation>%1 대비 속도</translation>
+        <source>Speed against a baseline that draws the same sides</source>
+        <translation>같은 면을 그리는 기준선 대비 속도</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PathBar</name>
+    <message>
+        <source>● recording, poses: %1</source>
+        <translation>● 녹화 중, 자세: %1</translation>
+    </message>
+    <message>
+        <source>%1 is being made…</source>
+        <comment>a camera path</comment>
+        <translation>%1 만드는 중…</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>일시 정지 (Space)</translation>
+    </message>
+    <message>
+        <source>Play from here (Space)</source>
+        <translation>여기서 재생 (Space)</translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation>녹화 끝내기</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Leave the path (Esc)</source>
+        <translation>경로 떠나기 (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a pose, number of poses</comment>
+        <translation>%2 중 %1</translation>
+    </message>
+    <message>
+        <source>One pose back</source>
+        <translation>이전 자세</translation>
+    </message>
+    <message>
+        <source>One pose back (Ctrl+Left)</source>
+        <translation>이전 자세 (Ctrl+Left)</translation>
+    </message>
+    <message>
+        <source>One pose on</source>
+        <translation>다음 자세</translation>
+    </message>
+    <message>
+        <source>One pose on (Ctrl+Right)</source>
+        <translation>다음 자세 (Ctrl+Right)</translation>
+    </message>
+    <message>
+        <source>Begin here</source>
+        <translation>여기서 시작</translation>
+    </message>
+    <message>
+        <source>Leave out the poses before this one</source>
+        <translation>이 자세 앞의 자세들을 뺍니다</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>여기서 끝</translation>
+    </message>
+    <message>
+        <source>Leave out the poses after this one</source>
+        <translation>이 자세 뒤의 자세들을 뺍니다</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>부드럽게</translation>
+    </message>
+    <message>
+        <source>Take the jerks of the hand out: each pose becomes the mean of itself and its neighbours</source>
+        <translation>손 떨림을 없앱니다: 각 자세는 자신과 이웃의 평균이 됩니다</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>저장…</translation>
+    </message>
+    <message>
+        <source>Save the path as a file</source>
+        <translation>경로를 파일로 저장</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>Name of the path</source>
+        <translation>경로의 이름</translation>
+    </message>
+    <message>
+        <source>name of the path</source>
+        <translation>경로의 이름</translation>
     </message>
 </context>
 <context>
@@ -6339,6 +6475,26 @@ snapping</source>
     <message>
         <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추기 때문에만 다른 픽셀이며 손실이 아닙니다. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
+    </message>
+    <message>
+        <source>Speed, same
+sides [95 %]</source>
+        <translation>속도, 같은
+면 [95 %]</translation>
+    </message>
+    <message>
+        <source>Total time of the baseline that draws the same sides over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <translation>같은 면을 그리는 기준선의 뷰 전체 시간을 이 전략의 것으로 나눈 값, 95 % 구간 포함</translation>
+    </message>
+    <message>
+        <source>The baseline: %1</source>
+        <comment>a strategy</comment>
+        <translation>기준선: %1</translation>
+    </message>
+    <message>
+        <source>Against %1: %2</source>
+        <comment>a strategy; a ratio of times</comment>
+        <translation>%1 대비: %2</translation>
     </message>
 </context>
 <context>
@@ -7252,6 +7408,14 @@ snapping</source>
         <source>difference within snapping %1 of %2, pixels: %3</source>
         <translation>맞춤 안의 차이 %1/%2, 픽셀: %3</translation>
     </message>
+    <message>
+        <source>nothing in view: Home</source>
+        <translation>보이는 것이 없음: Home</translation>
+    </message>
+    <message>
+        <source>flying speed × %1 ([ and ])</source>
+        <translation>비행 속도 × %1 ([ 와 ])</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7304,6 +7468,11 @@ snapping</source>
     <message>
         <source>drawn, or decided to be drawn</source>
         <translation>그려졌거나 그리기로 결정됨</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>state of a triangle, the sentence that says what decided</comment>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -7687,6 +7856,26 @@ snapping</source>
     <message>
         <source>Back to the last breakpoint</source>
         <translation>이전 중단점으로</translation>
+    </message>
+    <message>
+        <source>One pose o&amp;n</source>
+        <translation>다음 자세(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show the next pose of the path, without measuring</source>
+        <translation>경로의 다음 자세를 측정 없이 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>Show the pose before, without measuring</source>
+        <translation>앞의 자세를 측정 없이 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>&amp;Built-in paths</source>
+        <translation>내장 경로(&amp;B)</translation>
+    </message>
+    <message>
+        <source>One pose bac&amp;k</source>
+        <translation>이전 자세(&amp;K)</translation>
     </message>
 </context>
 </TS>

@@ -336,11 +336,6 @@
         <translation>以策略生成的 %1 个三角形碎片提交</translation>
     </message>
     <message>
-        <source>%1 against %2, with its 95 % interval</source>
-        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
-        <translation>相对 %2 为 %1，括号内为 95 % 区间</translation>
-    </message>
-    <message>
         <source>In force, to hold the frame time: %1</source>
         <translation>为保持帧时间而当前生效的值：%1</translation>
     </message>
@@ -348,6 +343,20 @@
         <source>Within the raster&apos;s snapping, and not lost: %1</source>
         <extracomment>Pixels that differ from the truth&apos;s only because OpenGL rounds corners to 1/256 pixel.</extracomment>
         <translation>在光栅的对齐误差之内，不算丢失：%1</translation>
+    </message>
+    <message>
+        <source>%1 against %2, which draws the same sides, with its 95 % interval</source>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>相对绘制相同面的 %2：%1，附 95 % 区间</translation>
+    </message>
+    <message>
+        <source>%1 against %2, which draws front faces only</source>
+        <extracomment>The same against a baseline that draws front faces alone.</extracomment>
+        <translation>相对只绘制正面的 %2：%1</translation>
+    </message>
+    <message>
+        <source>front faces only of closed objects, both sides of the others</source>
+        <translation>封闭物体只绘制正面，其余绘制两面</translation>
     </message>
 </context>
 <context>
@@ -899,10 +908,6 @@
     <message>
         <source>Which faces are drawn: both sides, or only those whose front is turned to the eye.</source>
         <translation>绘制哪些面：双面，或仅正面朝向视点的面。</translation>
-    </message>
-    <message>
-        <source>front where every mesh is closed, else two-sided</source>
-        <translation>所有网格都封闭时仅正面，否则双面</translation>
     </message>
     <message>
         <source>both sides</source>
@@ -2069,10 +2074,6 @@
         <translation>速度与损失</translation>
     </message>
     <message>
-        <source>× backface</source>
-        <translation>× backface</translation>
-    </message>
-    <message>
         <source>missed pixels, share</source>
         <translation>丢失像素的比例</translation>
     </message>
@@ -2961,10 +2962,6 @@
         <translation>行段 %1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
-        <translation>&quot;%1&quot; 既不是相机路径文件，也不是内置路径。内置：orbit:N、fibonacci:N、walk:N、front:N、case-1、case-2、case-3。</translation>
-    </message>
-    <message>
         <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
         <translation>场景正面前方沿 -z 观看、由场景填满的 N 个姿态</translation>
     </message>
@@ -3483,10 +3480,6 @@
     <message>
         <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
         <translation>“%1”的 BSP 树需要超过 %2 个节点：%3 个平面各自划分前一个平面的所有单元。请减少平面，或提高上限。</translation>
-    </message>
-    <message>
-        <source>draw its triangles, both sides</source>
-        <translation>绘制其三角形的两面</translation>
     </message>
     <message>
         <source>draw it: OpenGL drops back faces</source>
@@ -4840,6 +4833,38 @@
         <source>millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size</source>
         <translation>三角形与圆形表面的最大距离（毫米）；不给出时，每个圆按大小取 8 至 32 条弦</translation>
     </message>
+    <message>
+        <source>by-object</source>
+        <translation>按物体</translation>
+    </message>
+    <message>
+        <source>× same sides [95 %]</source>
+        <translation>× 相同面 [95 %]</translation>
+    </message>
+    <message>
+        <source>× a baseline that draws the same sides</source>
+        <translation>× 绘制相同面的基线</translation>
+    </message>
+    <message>
+        <source>N poses in a scene that one stands in: above its floors, outside solids, where much is seen</source>
+        <translation>身处其中的场景的 N 个姿态：在地面之上、实体之外、能看到许多东西的地方</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: %2.</source>
+        <translation>“%1”既不是相机路径文件，也不是内置路径。内置路径：%2。</translation>
+    </message>
+    <message>
+        <source>draw all its triangles</source>
+        <translation>绘制它的所有三角形</translation>
+    </message>
+    <message>
+        <source>front sides of each object whose mesh is closed, both sides of the others</source>
+        <translation>网格封闭的物体绘制正面，其余绘制两面</translation>
+    </message>
+    <message>
+        <source>baseline, same sides</source>
+        <translation>基线，相同面</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5104,10 +5129,6 @@ OpenGL %2
         <translation>左键拖动</translation>
     </message>
     <message>
-        <source>turn about the centre of rotation</source>
-        <translation>绕旋转中心转动</translation>
-    </message>
-    <message>
         <source>Wheel</source>
         <translation>滚轮</translation>
     </message>
@@ -5343,6 +5364,26 @@ OpenGL %2
         <source>in an open question: name all within the rectangle</source>
         <translation>有未答的问题时：指出矩形内的全部对象</translation>
     </message>
+    <message>
+        <source>turn about what is under the pointer, or the centre of rotation</source>
+        <translation>绕指针下的点或旋转中心转动</translation>
+    </message>
+    <message>
+        <source>[ and ]</source>
+        <translation>[ 和 ]</translation>
+    </message>
+    <message>
+        <source>fly slower, faster; the speed follows what is ahead</source>
+        <translation>飞得更慢、更快；速度随前方物体的距离变化</translation>
+    </message>
+    <message>
+        <source>Ctrl + ← and →</source>
+        <translation>Ctrl + ← 和 →</translation>
+    </message>
+    <message>
+        <source>one pose of the path back, on</source>
+        <translation>路径的上一个、下一个姿态</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -5425,8 +5466,8 @@ OpenGL %2
         <translation>下一步：在视图的菜单中选择另一种策略，比较图像上方的数据。</translation>
     </message>
     <message>
-        <source>Over each picture: speed against %1 · triangles submitted · pixels missed</source>
-        <translation>图像上方：相对 %1 的速度 · 提交的三角形 · 丢失的像素</translation>
+        <source>Over each picture: speed, same sides drawn · triangles submitted · pixels missed</source>
+        <translation>每幅图像上方：速度（相同面） · 提交的三角形 · 丢失的像素</translation>
     </message>
 </context>
 <context>
@@ -5715,15 +5756,6 @@ OpenGL %2
         <translation>场景中至少绘制了一部分的三角形，每个只计一次</translation>
     </message>
     <message>
-        <source>Speed against %1</source>
-        <comment>a strategy</comment>
-        <translation>相对 %1 的速度</translation>
-    </message>
-    <message>
-        <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
-        <translation>在同一相机下交替测量：%1 策略的帧时间除以本策略的帧时间</translation>
-    </message>
-    <message>
         <source>– within snapping</source>
         <translation>– 对齐误差之内</translation>
     </message>
@@ -5734,6 +5766,14 @@ OpenGL %2
     <message>
         <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
         <translation>仅因光栅将顶点对齐到 1/256 像素而不同的像素，不算丢失；在真值绘制的面与策略不同，或策略自己生成表面或图像时计数</translation>
+    </message>
+    <message>
+        <source>Speed, same sides drawn</source>
+        <translation>速度，绘制相同的面</translation>
+    </message>
+    <message>
+        <source>Frame time of the baseline that draws the same sides divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>绘制相同面的基线的帧时间除以本策略的帧时间，在同一相机处轮流测量</translation>
     </message>
 </context>
 <context>
@@ -5863,13 +5903,109 @@ OpenGL %2
         <translation>每百万丢失</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3 against %5, %4 per million missed</source>
-        <translation>%1，%2：相对 %5 ×%3，每百万丢失 %4</translation>
+        <source>%1, %2: ×%3, %4 per million missed</source>
+        <translation>%1，%2：×%3，每百万丢失 %4</translation>
     </message>
     <message>
-        <source>Speed against %1</source>
-        <comment>a strategy</comment>
-        <translation>相对 %1 的速度</translation>
+        <source>Speed against a baseline that draws the same sides</source>
+        <translation>相对绘制相同面的基线的速度</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PathBar</name>
+    <message>
+        <source>● recording, poses: %1</source>
+        <translation>● 正在录制，姿态：%1</translation>
+    </message>
+    <message>
+        <source>%1 is being made…</source>
+        <comment>a camera path</comment>
+        <translation>正在生成 %1…</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>暂停（空格）</translation>
+    </message>
+    <message>
+        <source>Play from here (Space)</source>
+        <translation>从此处播放（空格）</translation>
+    </message>
+    <message>
+        <source>End the recording</source>
+        <translation>结束录制</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Leave the path (Esc)</source>
+        <translation>离开路径（Esc）</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a pose, number of poses</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>One pose back</source>
+        <translation>上一个姿态</translation>
+    </message>
+    <message>
+        <source>One pose back (Ctrl+Left)</source>
+        <translation>上一个姿态（Ctrl+Left）</translation>
+    </message>
+    <message>
+        <source>One pose on</source>
+        <translation>下一个姿态</translation>
+    </message>
+    <message>
+        <source>One pose on (Ctrl+Right)</source>
+        <translation>下一个姿态（Ctrl+Right）</translation>
+    </message>
+    <message>
+        <source>Begin here</source>
+        <translation>从此处开始</translation>
+    </message>
+    <message>
+        <source>Leave out the poses before this one</source>
+        <translation>去掉此姿态之前的姿态</translation>
+    </message>
+    <message>
+        <source>End here</source>
+        <translation>在此处结束</translation>
+    </message>
+    <message>
+        <source>Leave out the poses after this one</source>
+        <translation>去掉此姿态之后的姿态</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Take the jerks of the hand out: each pose becomes the mean of itself and its neighbours</source>
+        <translation>去掉手的抖动：每个姿态成为自身与相邻姿态的平均</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>保存…</translation>
+    </message>
+    <message>
+        <source>Save the path as a file</source>
+        <translation>将路径保存为文件</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>Name of the path</source>
+        <translation>路径的名称</translation>
+    </message>
+    <message>
+        <source>name of the path</source>
+        <translation>路径的名称</translation>
     </message>
 </context>
 <context>
@@ -6339,6 +6475,26 @@ snapping</source>
     <message>
         <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
         <translation>仅因光栅将顶点对齐到 1/256 像素而不同的像素，不算丢失；在真值绘制的面与策略不同，或策略自己生成表面或图像时计数</translation>
+    </message>
+    <message>
+        <source>Speed, same
+sides [95 %]</source>
+        <translation>速度，相同
+面 [95 %]</translation>
+    </message>
+    <message>
+        <source>Total time of the baseline that draws the same sides over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <translation>绘制相同面的基线在所有视图上的总时间除以本策略的总时间，附 95 % 区间</translation>
+    </message>
+    <message>
+        <source>The baseline: %1</source>
+        <comment>a strategy</comment>
+        <translation>基线：%1</translation>
+    </message>
+    <message>
+        <source>Against %1: %2</source>
+        <comment>a strategy; a ratio of times</comment>
+        <translation>相对 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -7252,6 +7408,14 @@ snapping</source>
         <source>difference within snapping %1 of %2, pixels: %3</source>
         <translation>对齐误差之内的差异 %1/%2，像素：%3</translation>
     </message>
+    <message>
+        <source>nothing in view: Home</source>
+        <translation>视野中没有东西：Home</translation>
+    </message>
+    <message>
+        <source>flying speed × %1 ([ and ])</source>
+        <translation>飞行速度 × %1（[ 和 ]）</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7304,6 +7468,11 @@ snapping</source>
     <message>
         <source>drawn, or decided to be drawn</source>
         <translation>已绘制，或已决定绘制</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>state of a triangle, the sentence that says what decided</comment>
+        <translation>%1。%2</translation>
     </message>
 </context>
 <context>
@@ -7687,6 +7856,26 @@ snapping</source>
     <message>
         <source>Back to the last breakpoint</source>
         <translation>回到上一个断点</translation>
+    </message>
+    <message>
+        <source>One pose o&amp;n</source>
+        <translation>下一个姿态(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show the next pose of the path, without measuring</source>
+        <translation>显示路径的下一个姿态，不测量</translation>
+    </message>
+    <message>
+        <source>Show the pose before, without measuring</source>
+        <translation>显示前一个姿态，不测量</translation>
+    </message>
+    <message>
+        <source>&amp;Built-in paths</source>
+        <translation>内置路径(&amp;B)</translation>
+    </message>
+    <message>
+        <source>One pose bac&amp;k</source>
+        <translation>上一个姿态(&amp;K)</translation>
     </message>
 </context>
 </TS>

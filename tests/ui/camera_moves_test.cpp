@@ -58,6 +58,22 @@ TEST(Navigation, zoomNeverSticksOrGoesThroughNaN) {
     }
 }
 
+TEST(Navigation, whatATurnIsAboutKeepsItsPlaceInThePicture) {
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+        const Camera camera = turned({Vec3(3, 2, 1), Vec3(0.0), axisVector(up)}, up, {}, {});
+        const Vec3 pivot(0.3, -0.4, 0.2);
+        const Vec2 before = pixelOf(View(camera, kSize), pivot);
+        Camera moved = camera;
+        for (int i = 0; i < 20; ++i) moved = turnedAbout(moved, up, pivot, Angle::fromDegrees(17), Angle::fromDegrees(-4));
+        EXPECT_LT(glm::distance(pixelOf(View(moved, kSize), pivot), before), 1e-6);
+        EXPECT_NEAR(glm::distance(moved.eye, pivot), glm::distance(camera.eye, pivot), 1e-9);
+        // About the target it is the usual turn.
+        const Camera usual = turned(camera, up, Angle::fromDegrees(30), Angle::fromDegrees(10));
+        const Camera about = turnedAbout(camera, up, camera.target, Angle::fromDegrees(30), Angle::fromDegrees(10));
+        EXPECT_LT(glm::distance(about.eye, usual.eye) + glm::distance(about.target, usual.target), 1e-9);
+    }
+}
+
 TEST(Navigation, zoomWithTheEyeOnThePointStaysFinite) {
     Camera camera;
     EXPECT_TRUE(finite(zoomed(camera, camera.eye, 0.5, 1.0)));

@@ -75,8 +75,8 @@ TEST_F(ScreenshotTest, everyFormatTellsWhatItShows) {
         EXPECT_EQ(metadata.at("cullscope:strategy"), "frustum");
         EXPECT_EQ(metadata.at("cullscope:parameter:box"), "length");
         EXPECT_EQ(metadata.at("cullscope:missed_pixels"), "0");
-        const double ratio = std::stod(metadata.at("cullscope:ratio_to_backface"));
-        const std::string interval = metadata.at("cullscope:ratio_to_backface_ci95");
+        const double ratio = std::stod(metadata.at("cullscope:ratio_to_same_sides"));
+        const std::string interval = metadata.at("cullscope:ratio_to_same_sides_ci95");
         EXPECT_GT(ratio, 0.0);
         EXPECT_LE(std::stod(interval), ratio);
         EXPECT_GE(std::stod(interval.substr(interval.find(',') + 1)), ratio);

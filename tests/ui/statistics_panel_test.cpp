@@ -61,8 +61,8 @@ TEST_F(Panel, startAsksForTheChosenExperiment) {
                      [&](const ExperimentSettings& settings) { asked.push_back(settings); });
     panel.bar().start();
     ASSERT_EQ(asked.size(), 1u);
-    EXPECT_EQ(asked[0].path.name, "walk:16") << "the default of a scene of many objects";
-    EXPECT_EQ(asked[0].path.poses.size(), 16u);
+    EXPECT_EQ(asked[0].path, "walk:16") << "the default of a scene of many objects";
+    EXPECT_FALSE(asked[0].poses.has_value()) << "it is made beside the window";
     EXPECT_EQ(asked[0].size, (Viewport{320, 240}));
     EXPECT_EQ(asked[0].repetitions, 0);
     panel.setRunning(true);
@@ -85,13 +85,13 @@ TEST_F(Panel, pathFileIsChosenAndABadOneIsOneSentence) {
     panel.bar().openPath(QString::fromStdString(good));
     panel.bar().start();
     ASSERT_EQ(asked.size(), 1u);
-    EXPECT_EQ(asked[0].path.poses.size(), 5u);
-    EXPECT_EQ(asked[0].path.name, good);
+    EXPECT_EQ(asked[0].poses->poses.size(), 5u);
+    EXPECT_EQ(asked[0].path, good);
     CameraPath recorded = cameraPath("orbit:2", *result.request.scene);
     recorded.name = "mine.json";
     panel.setRecordedPath(recorded);
     panel.bar().start();
-    EXPECT_EQ(asked.back().path.name, good) << "what was chosen stays chosen";
+    EXPECT_EQ(asked.back().path, good) << "what was chosen stays chosen";
 }
 
 TEST_F(Panel, resultOfAnotherSceneIsDropped) {

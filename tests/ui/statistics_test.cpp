@@ -36,7 +36,10 @@ TEST(ResultTable, timesOfAViewAreTheSameFactorInHeaderTooltipAndTable) {
     result.runs = {run("backface", 21.5, {0}), run("frustum", 7.1, {0})};
     result.runs[0].frames[0].frameTimes = times.baseline;
     result.runs[1].frames[0].frameTimes = times.subject;
-    for (RunMeasurement& measured : result.runs) measured.summary = summaryOf(measured, result.runs, *result.request.scene);
+    for (RunMeasurement& measured : result.runs) {
+        measured.ownRule = baselineUnder(Facing::Front);
+        measured.summary = summaryOf(measured, result.runs, *result.request.scene);
+    }
 
     const ResultRow ofExperiment = resultRows(result)[1], ofView = liveRows({live})[0];
     EXPECT_EQ(ofExperiment.speedup, ofView.speedup);

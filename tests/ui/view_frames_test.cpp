@@ -87,6 +87,31 @@ TEST_F(ViewFramesTest, aFrameOfManyObjectsIsDecidedOnceThoughItsDecisionsAreRead
     EXPECT_EQ(decided(1), before + 1) << "colours, boxes, pick and why";
 }
 
+TEST_F(ViewFramesTest, aPickOfALostPixelIsTheTriangleThatIsMissingThere) {
+    session.setMeasuring(true);
+    session.slot(1).choose("draw-distance");
+    ParameterSet parameters = session.slot(1).parameters();
+    parameters.setFromText("distance", "0.01");
+    session.slot(1).setParameters(parameters);
+    session.setActiveView(1);
+    settle();
+    ASSERT_TRUE(waitUntil([&] { return !session.figures(1).holes.empty(); }));
+    const Hole hole = session.figures(1).holes.front();
+    const auto picked = [&] {
+        if (!waitUntil([&] { return session.pick().has_value(); })) return false;
+        const TriangleStates& states = *session.figures(1).states;
+        return states.states[session.pick()->triangle] == TriangleState::WronglyCulled;
+    };
+    session.pickAt(1, hole.x, hole.y);
+    EXPECT_TRUE(picked()) << "nothing is drawn there";
+    session.setPick(std::nullopt);
+    session.pickLostAt(1, hole.x, hole.y);
+    EXPECT_TRUE(picked());
+    why.show();
+    settle();
+    EXPECT_FALSE(why.decided().isEmpty());
+}
+
 TEST_F(ViewFramesTest, anObserverReplaysTheFrameOfItsView) {
     session.slot(1).choose("frustum");
     settle();

@@ -191,7 +191,7 @@ TEST_F(ViewMeterTest, headersRatioIsTheTablesAndCullbenchsToTheDigitForTheSameRe
     shown.axes = {{"strategy", "strategy", Axis::Kind::Strategy, {std::string("frustum"), std::string("frustum-octree")}}};
     shown.settings = settingsOf(shown.axes);
     shown.columns = columnsOf(shown.axes);
-    shown.columns.push_back({"ratio_to_backface", "ratio"});
+    shown.columns.push_back({"ratio_to_same_sides", "ratio"});
     ResultTable table = emptyTable(shown);
     addRuns(table, shown, shown.settings.front(), recorded);
     for (size_t run = 0; run < 2; ++run) {
@@ -200,10 +200,10 @@ TEST_F(ViewMeterTest, headersRatioIsTheTablesAndCullbenchsToTheDigitForTheSameRe
             buildStrategy(id, ParameterSet(findStrategy(id).info.parameters), experiment.scene, *structures);
         const ViewMetrics header = measured(subject(strategy, 0), playedBack(recorded)).back();
         ASSERT_TRUE(header.speedup.has_value());
-        EXPECT_EQ(*header.speedup, recorded.runs[run].summary.ratioToFrontFaces) << id;
-        EXPECT_EQ(*header.speedup, std::get<RatioEstimate>(table.value(run, "ratio_to_backface"))) << id;
-        EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_backface"], header.speedup->ratio) << id;
-        EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_backface_ci95"], header.speedup->ci95) << id;
+        EXPECT_EQ(*header.speedup, recorded.runs[run].summary.ratioToOwnRule) << id;
+        EXPECT_EQ(*header.speedup, std::get<RatioEstimate>(table.value(run, "ratio_to_same_sides"))) << id;
+        EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_same_sides"], header.speedup->ratio) << id;
+        EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_same_sides_ci95"], header.speedup->ci95) << id;
         EXPECT_EQ(resultRows(recorded)[run].speedup, header.speedup) << "the desktop's table";
         EXPECT_LT(header.speedup->ci95[0], header.speedup->ci95[1]) << "real times differ";
     }
@@ -222,12 +222,12 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
         const MeasureResult table = measuredOnPath();
         experiment.path = path;
         ASSERT_TRUE(header.speedup.has_value());
-        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToFrontFaces) << "at pose " << pose;
+        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToOwnRule) << "at pose " << pose;
         EXPECT_EQ(resultRows(table).front().speedup, header.speedup);
         EXPECT_EQ(header.frameMilliseconds, table.runs[0].summary.frameMillisecondsMedian);
         const auto json = nlohmann::json::parse(resultJson(table));
-        EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_backface"], header.speedup->ratio);
-        EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_backface_ci95"], header.speedup->ci95);
+        EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_same_sides"], header.speedup->ratio);
+        EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_same_sides_ci95"], header.speedup->ci95);
         EXPECT_EQ(header.accuracy.missedPixels, table.runs[0].frames[0].accuracy->missedPixels);
         EXPECT_EQ(header.submitted, table.runs[0].frames[0].submitted);
         EXPECT_DOUBLE_EQ(header.submittedShare(), 1.0 - table.runs[0].summary.culledFraction);
@@ -238,7 +238,7 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
     }
     // Over all views the table has one ratio of total times, which lies among those of the views.
     experiment.timing = madeUpTimes();
-    const double all = measuredOnPath().runs[0].summary.ratioToFrontFaces.ratio;
+    const double all = measuredOnPath().runs[0].summary.ratioToOwnRule.ratio;
     EXPECT_GE(all, *std::ranges::min_element(ratios) - 0.1);
     EXPECT_LE(all, *std::ranges::max_element(ratios) + 0.1);
 }

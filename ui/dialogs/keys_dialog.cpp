@@ -43,7 +43,7 @@ void addSection(QGridLayout& grid, const Section& section) {
 KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Mouse and keys"));
     const Section mouse{tr("Mouse"),
-                        {{tr("Left drag"), tr("turn about the centre of rotation")},
+                        {{tr("Left drag"), tr("turn about what is under the pointer, or the centre of rotation")},
                          {tr("Wheel"), tr("zoom to the pointer")},
                          {tr("Middle drag, or Shift + left drag"), tr("pan")},
                          {tr("Ctrl + left drag"), tr("in an open question: name all within the rectangle")},
@@ -55,13 +55,15 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                          {tr("Shift + wheel"), tr("field of view")}}};
     const Section cameras{tr("Cameras"),
                           {{tr("W A S D, Q E"), tr("fly forward, left, back, right, down, up (Shift: faster)")},
+                           {tr("[ and ]"), tr("fly slower, faster; the speed follows what is ahead")},
                            {tr("Arrow keys"), tr("turn; with Shift: pan")},
                            {tr("+ and −"), tr("zoom")},
                            {tr("Home"), tr("back to the first view")},
                            {tr(". (full stop)"), tr("show the whole scene")},
                            {tr("Alt + 1 … 4"), tr("go to a kept camera; with Shift: keep this one")},
                            {tr("Ctrl + K"), tr("add this pose to the path")},
-                           {tr("Space"), tr("play the path, or pause")}}};
+                           {tr("Space"), tr("play the path, or pause")},
+                           {tr("Ctrl + ← and →"), tr("one pose of the path back, on")}}};
     const Section pictures{tr("Pictures"),
                            {{QStringLiteral("F"), tr("freeze culling and fly on")},
                             {QStringLiteral("V"), tr("colours by verdict")},

@@ -2,6 +2,7 @@
 
 #include <QRgb>
 #include <chrono>
+#include <limits>
 #include <set>
 
 #include "core/frame/decided_ahead.h"
@@ -203,12 +204,45 @@ std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewReque
         return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
     }
     const View viewing(request.viewing, request.size);
+    const bool whole = !request.unanswered && !request.upTo;
+    if (whole && (request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss))
+        if (const auto lost = missing(request, *frame, x, y, request.wipe == Wipe::Mode::Loss ? kMarkReach : 0)) return lost;
     const bool all = request.look.has(Show::Kind::Left);
     const std::optional<PickedTriangle> picked =
         all ? renderer().pick(*request.buffers, viewing, everything(scene, Facing::TwoSided), x, y)
             : renderer().pick(*request.buffers, viewing, frame->log, x, y);
-    if (!picked) return std::nullopt;
+    if (!picked) return whole ? missing(request, *frame, x, y, 0) : std::nullopt;
     return Picked{picked->triangle, pointUnder(viewing, Vec2(x + 0.5, y + 0.5), picked->depth)};
+}
+
+std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::missing(const ViewRequest& request, const ViewFrame& frame, int x,
+                                                                    int y, int reach) {
+    const Viewport& size = request.size;
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height) return std::nullopt;
+    const PictureTile around{std::max(0, x - reach),
+                             std::max(0, y - reach),
+                             {std::min(size.width - 1, x + reach) - std::max(0, x - reach) + 1,
+                              std::min(size.height - 1, y + reach) - std::max(0, y - reach) + 1}};
+    const View viewing(request.viewing, size);
+    const Scene& scene = request.buffers->scene();
+    const Renderer::ItemBuffer truth =
+        renderer().drawItemBuffer(*request.buffers, viewing, everything(scene, request.strategy->referenceFacing()), around);
+    const Renderer::ItemBuffer shown = renderer().drawItemBuffer(*request.buffers, viewing, frame.log, around);
+    const Grain grain = frame.log.grain();
+    std::optional<Picked> nearest;
+    int least = std::numeric_limits<int>::max();
+    for (size_t i = 0; i < truth.depth.size(); ++i) {
+        const PixelDifference difference = frame.log.drawsScene()
+                                               ? pixelDifference(truth.depth[i], shown.depth[i])
+                                               : pixelDifference(truth.depth[i], comparedItem(scene, grain, truth.triangle[i]),
+                                                                 shown.depth[i], comparedItem(scene, grain, shown.triangle[i]));
+        const int column = around.x + int(i % size_t(around.size.width)), row = around.y + int(i / size_t(around.size.width));
+        const int away = (column - x) * (column - x) + (row - y) * (row - y);
+        if (difference != PixelDifference::Missed || away >= least) continue;
+        least = away;
+        nearest = Picked{truth.triangle[i] - 1, pointUnder(viewing, Vec2(column + 0.5, row + 0.5), double(truth.depth[i]))};
+    }
+    return nearest;
 }
 
 std::vector<uint64_t> ViewPictureDrawer::trianglesIn(const ViewRequest& request, const PictureTile& within) {

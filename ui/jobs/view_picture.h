@@ -110,7 +110,9 @@ public:
     ViewPictureDrawer(GpuThread& gpu, ViewFramesPointer frames) : m_gpu(gpu), m_frames(std::move(frames)) {}
 
     [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request);
-    /// The triangle and point that the request's picture shows at a pixel (y upward); none: background.
+    /// The triangle and point that the request's picture shows at a pixel (y upward); none: background. Where lost pixels are
+    /// marked, or the truth stands beside, and where nothing is drawn at all: the triangle that the truth has there and the frame
+    /// does not.
     [[nodiscard]] std::optional<Picked> pick(const ViewRequest& request, int x, int y);
 
     /// The triangles that it shows within a rectangle (y upward), ascending, each once.
@@ -121,6 +123,9 @@ public:
     [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
 
 private:
+    /// What the truth shows and the frame does not at the lost pixel that is nearest to a pixel, at most `reach` rows and columns
+    /// away; none: no pixel is lost there.
+    [[nodiscard]] std::optional<Picked> missing(const ViewRequest& request, const ViewFrame& frame, int x, int y, int reach);
     /// The one of all pictures: a view's memory may hold questions whose answers only their renderer knows.
     Renderer& renderer() { return m_gpu.renderer(); }
     Framebuffer& target(const Viewport& size);

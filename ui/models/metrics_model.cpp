@@ -23,7 +23,7 @@ void MetricsModel::setFigures(int view, const ViewMetrics& figures) {
 QString MetricsModel::title(int row) {
     switch (row) {
         case Speedup:
-            return tr("Speed against %1", "a strategy").arg(baselineWord(BaselineRole::FrontFaces));
+            return tr("Speed, same sides drawn");
         case Frame:
             return tr("Frame");
         case Fps:
@@ -52,8 +52,9 @@ QString MetricsModel::title(int row) {
 QString MetricsModel::explanation(int row) {
     switch (row) {
         case Speedup:
-            return tr("Frame time of the strategy %1 divided by this strategy's, measured in turns at the same camera")
-                .arg(baselineWord(BaselineRole::FrontFaces));
+            return tr(
+                "Frame time of the baseline that draws the same sides divided by this strategy's, measured in turns at the same "
+                "camera");
         case Frame:
             return tr(
                 "Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted");
@@ -88,7 +89,7 @@ QString MetricsModel::explanation(const ViewMetrics& figures, int row) {
     if (row == Submitted && ready && figures.submitted.fragments > 0)
         return fragmentsSentence(figures.submitted) + QLatin1Char('\n') + explanation(row);
     if (row != Speedup || !ready || !figures.speedup) return explanation(row);
-    return speedSentence(*figures.speedup) + QLatin1Char('\n') + explanation(row);
+    return speedSentence(figures) + QLatin1Char('\n') + explanation(row);
 }
 
 QString MetricsModel::value(const ViewMetrics& figures, int row) {

@@ -39,10 +39,19 @@ QString metricsLine(const ViewMetrics& figures) {
     return held.isEmpty() ? line : line + QStringLiteral(" · ") + held;
 }
 
-QString speedSentence(const RatioEstimate& speed) {
+QString speedSentence(const ViewFigures& figures) {
+    QStringList lines;
+    const auto add = [&](const std::optional<RatioEstimate>& speed, const QString& against) {
+        if (speed) lines << against.arg(speedWithInterval(*speed));
+    };
     //: Speed against a baseline, %2, and its 95 % interval: "×3.1 (2.9 – 3.3)".
-    return QCoreApplication::translate("Wording", "%1 against %2, with its 95 % interval")
-        .arg(speedWithInterval(speed), baselineWord(BaselineRole::FrontFaces));
+    add(figures.speedup,
+        QCoreApplication::translate("Wording", "%1 against %2, which draws the same sides, with its 95 % interval")
+            .arg(QStringLiteral("%1"), QString::fromStdString(figures.baseline)));
+    //: The same against a baseline that draws front faces alone.
+    add(figures.speedupOverFronts, QCoreApplication::translate("Wording", "%1 against %2, which draws front faces only")
+                                       .arg(QStringLiteral("%1"), baselineWord(BaselineRole::FrontFaces)));
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString missedSentence(const ViewMetrics& figures) {
@@ -71,7 +80,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
     QStringList lines;
     if (figures.state == ViewMetrics::State::Ready) {
         const double fps = figures.frameMilliseconds > 0.0 ? 1000.0 / figures.frameMilliseconds : 0.0;
-        if (figures.speedup) lines << speedSentence(*figures.speedup);
+        if (figures.speedup) lines << speedSentence(figures);
         lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
                      .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds), millisecondsText(figures.cullMilliseconds))
               << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")

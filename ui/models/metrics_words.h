@@ -23,6 +23,6 @@ namespace cullscope::ui {
 [[nodiscard]] QString fragmentsSentence(const Submitted& submitted);
 
 /// The speed of a view with its interval.
-[[nodiscard]] QString speedSentence(const RatioEstimate& speed);
+[[nodiscard]] QString speedSentence(const ViewFigures& figures);
 
 }  // namespace cullscope::ui

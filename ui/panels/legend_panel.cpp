@@ -220,8 +220,7 @@ void LegendPanel::showToAudience() {
 }
 
 void LegendPanel::refresh() {
-    m_figures->setText(tr("Over each picture: speed against %1 · triangles submitted · pixels missed")
-                           .arg(baselineWord(BaselineRole::FrontFaces)));
+    m_figures->setText(tr("Over each picture: speed, same sides drawn · triangles submitted · pixels missed"));
     for (int i = 0; i < m_promises.size(); ++i) {
         const Promise promise = kPromises[size_t(i)];
         m_promises[i]->setText(promiseWord(promise));

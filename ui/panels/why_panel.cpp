@@ -49,15 +49,14 @@ WhyPanel::WhyPanel(Session& session, SnapshotReader& reader, QWidget* parent)
 }
 
 void WhyPanel::layOut() {
-    makeBold(*m_heading);
-    makeBold(*m_verdict);
+    makeBold(*m_state);
     auto* state = new QHBoxLayout;
     state->addWidget(m_swatch);
     state->addWidget(m_state, 1);
     auto* content = new QVBoxLayout(m_content);
     content->setContentsMargins(0, 0, 0, 0);
-    content->addWidget(m_heading);
     content->addLayout(state);
+    content->addWidget(m_heading);
     content->addWidget(m_verdict);
     content->addWidget(m_planes);
     content->addWidget(m_untested);
@@ -121,11 +120,27 @@ void WhyPanel::showState() {
     const std::optional<TriangleState> state = m_reader.pickedState();
     m_swatch->setVisible(state.has_value());
     if (state) m_swatch->setState(*state);
+    const QString decided = this->decided();
+    m_state->setText(decided.isEmpty()
+                         ? stateText()
+                         : tr("%1. %2", "state of a triangle, the sentence that says what decided").arg(stateText(), decided));
+}
+
+QString WhyPanel::stateText() const {
+    const std::optional<TriangleState> state = m_reader.pickedState();
+    if (!state) return tr("Whether it is visible is not known yet.");
     const bool stepped = m_session.stepOf(m_session.activeView()) != nullptr;
-    if (stepped && state == TriangleState::Visible)
-        m_state->setText(tr("drawn, or decided to be drawn"));
-    else
-        m_state->setText(state ? translated(triangleStateName(*state)) : tr("Whether it is visible is not known yet."));
+    const QString words =
+        stepped && state == TriangleState::Visible ? tr("drawn, or decided to be drawn") : translated(triangleStateName(*state));
+    return words.left(1).toUpper() + words.mid(1);
+}
+
+QString WhyPanel::decided() const {
+    const SnapshotReadingPointer& reading = m_reader.reading();
+    const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    if (!reading || !triangle || reading->triangle != triangle) return {};
+    const WhyStep* step = decidingStep(reading->why);
+    return step ? translated(step->sentence) : QString();
 }
 
 QString WhyPanel::heading() const {

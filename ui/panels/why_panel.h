@@ -21,6 +21,8 @@ public:
     /// The comparison with the truth; empty: the truth is not known or adds nothing, as at a step of the frame.
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString heading() const;
+    /// The first line: the cause, and what decided with its numbers; empty where nothing is known yet.
+    [[nodiscard]] QString decided() const;
     [[nodiscard]] PlaneTable& planes() { return *m_planes; }
 
 protected:
@@ -32,6 +34,7 @@ private:
     [[nodiscard]] QString missingSentence() const;
     void showPlanes(bool known);
     void showState();
+    [[nodiscard]] QString stateText() const;
     [[nodiscard]] QString emptySentence() const;
 
     Session& m_session;

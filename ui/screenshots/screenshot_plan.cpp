@@ -73,7 +73,7 @@ PictureSubject subjectOf(const Session& session, int view, const ViewRequest& re
     if (figures.state != ViewMetrics::State::Ready) return subject;
     subject.missedPixels = figures.accuracy.missedPixels;
     subject.figuresSize = figures.size;
-    if (figures.speedup) subject.ratioToFrontFaces = {figures.speedup->ratio, figures.speedup->ci95};
+    if (figures.speedup) subject.ratioToSameSides = {figures.speedup->ratio, figures.speedup->ci95, figures.baseline};
     return subject;
 }
 

@@ -31,13 +31,27 @@ CameraPlayer::CameraPlayer(Session& session, QObject* parent) : QObject(parent),
     connect(&session, &Session::sceneChanged, this, &CameraPlayer::stop);
 }
 
-void CameraPlayer::play(CameraPath path) {
+void CameraPlayer::play(CameraPath path) { begin(std::move(path), true); }
+
+void CameraPlayer::open(CameraPath path) { begin(std::move(path), false); }
+
+void CameraPlayer::begin(CameraPath path, bool playing) {
     if (path.poses.empty() || !m_session.opened()) return;
     m_path = std::move(path);
     QCoreApplication::instance()->installEventFilter(this);
-    m_playing = true;
+    m_pause.stop();
+    m_playing = false;
+    // What appears now may take room from the views, whose first camera depends on their size: that is no move of the user.
+    emit stateChanged();
+    m_playing = playing;
     show(0);
     emit stateChanged();
+}
+
+void CameraPlayer::go(int pose) {
+    if (!active()) return;
+    setPlaying(false);
+    show(std::clamp(pose, 0, int(m_path.poses.size()) - 1));
 }
 
 void CameraPlayer::pause() { setPlaying(false); }

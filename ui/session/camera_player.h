@@ -19,6 +19,10 @@ public:
 
     /// Plays from the first pose. Does nothing if the path has no poses or no scene is open.
     void play(CameraPath path);
+    /// The same, and stays at the first pose.
+    void open(CameraPath path);
+    /// Shows a pose of an active path and stays there; one beyond its ends is the first or the last.
+    void go(int pose);
     void pause();
     /// Goes on from the present pose; at the end of the path, from the first.
     void resume();
@@ -44,6 +48,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void begin(CameraPath path, bool playing);
     void show(int pose);
     void advance();
     void setPlaying(bool playing);

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cassert>
 
 #include "core/base/error.h"
 
@@ -70,6 +71,12 @@ void CameraRecorder::clear() {
     m_path = {};
     m_lensDiffers = false;
     emit changed();
+}
+
+void CameraRecorder::replace(CameraPath path) {
+    assert(!m_recording);
+    m_path = std::move(path);
+    m_lensDiffers = false;
 }
 
 void CameraRecorder::add(const Camera& camera) {

@@ -28,6 +28,8 @@ public:
     void addPose();
     /// Deletes the path and ends the recording.
     void clear();
+    /// Replaces the path by a changed one, to which poses can be added; only while none is recorded.
+    void replace(CameraPath path);
 
     [[nodiscard]] const CameraPath& path() const { return m_path; }
     /// Whether the field of view of a pose differed from that of the first pose.

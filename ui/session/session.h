@@ -202,6 +202,8 @@ public:
     void setPick(const std::optional<Pick>& pick);
     /// Looks up what a view's picture shows at a pixel (y upward) and picks it; a pixel of the background clears the pick.
     void pickAt(int view, int x, int y);
+    /// Picks what is missing at a lost pixel of a view's picture, or near it, whether lost pixels are marked or not.
+    void pickLostAt(int view, int x, int y);
 
     /// The chosen group of the active view's strategy; none once a strategy was built anew, or something was picked.
     [[nodiscard]] const std::optional<ChosenGroup>& group() const { return m_group; }
@@ -273,6 +275,7 @@ private:
     void makeView(int view);
     void tellRepairs();
     void nameInQuestion(uint64_t triangle, const Vec3& point);
+    void pickIn(int view, const ViewRequest& request, int x, int y);
     void limitToStep(ViewRequest& request) const;
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);

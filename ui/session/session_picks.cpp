@@ -12,9 +12,18 @@ void Session::setPick(const std::optional<Pick>& pick) {
 }
 
 void Session::pickAt(int view, int x, int y) {
-    const std::optional<ViewRequest> request = viewRequest(view);
-    if (!request) return;
-    m_pictures->pick(*request, x, y, [this, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
+    if (const std::optional<ViewRequest> request = viewRequest(view)) pickIn(view, *request, x, y);
+}
+
+void Session::pickLostAt(int view, int x, int y) {
+    std::optional<ViewRequest> request = viewRequest(view);
+    if (!request || m_question) return;
+    request->wipe = Wipe::Mode::Loss;
+    pickIn(view, *request, x, y);
+}
+
+void Session::pickIn(int view, const ViewRequest& request, int x, int y) {
+    m_pictures->pick(request, x, y, [this, view, request](const std::optional<ViewPictureDrawer::Picked>& picked) {
         // A scene that changed meanwhile numbers its triangles in another way.
         if (m_scene != request.buffers->scenePointer()) return;
         if (m_question) return picked ? nameInQuestion(picked->triangle, picked->point) : void();

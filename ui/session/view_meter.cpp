@@ -29,7 +29,7 @@ struct ViewMeter::Bench {
     std::unique_ptr<Framebuffer> framebuffer;
     ViewFramesPointer frames;
     std::shared_ptr<StructureStore> structures;
-    ViewBaseline baseline;
+    ViewBaselines baselines;
     References references;
 
     /// The one of all pictures: a view's memory may hold questions whose answers only their renderer knows.
@@ -72,7 +72,10 @@ struct ViewMeter::Job {
         ViewSubject next{what.buffers, what.strategy, View(what.culling, what.size), {}};
         next.memories.push_back(bench.frames->memoryBefore(request));
         next.shown = {frame, &frame->log};
-        next.baseline = bench.baseline.of(what.buffers->scenePointer(), *bench.structures);
+        const Facing rule = what.strategy->facing();
+        next.baseline = bench.baselines.under(rule, what.buffers->scenePointer(), *bench.structures);
+        if (rule != Facing::Front)
+            next.fronts = bench.baselines.under(Facing::Front, what.buffers->scenePointer(), *bench.structures);
         next.judged = !subject.known;
         shown.push_back(std::move(next));
         figures.push_back(subject.known ? *subject.known : ViewMetrics());
@@ -130,7 +133,7 @@ void ViewMeter::leaveOthers(const ScenePointer& scene) {
     cancel();
     // Behind the step in hand, after which nothing of the former request follows.
     m_gpu.post([bench = m_bench, scene] {
-        bench->baseline.leaveOthers(scene);
+        bench->baselines.leaveOthers(scene);
         bench->references.keep([&](const ScenePointer& known, const Camera&, const Viewport&) { return known == scene; });
     });
 }

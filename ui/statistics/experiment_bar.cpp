@@ -149,23 +149,18 @@ void ExperimentBar::setUpSweeps() {
     for (const ParameterSweep& sweep : builtInSweeps()) m_sweeps->addAction({}, this, [this, sweep] { start({sweep}); });
 }
 
-CameraPath ExperimentBar::chosenPath() const {
+void ExperimentBar::choosePathFor(ExperimentSettings& settings) const {
     const QString id = m_path->itemData(m_chosen).toString();
-    if (id == kRecorded) return *m_recorded;
-    if (id == kOpened) return *m_opened;
+    if (id == kRecorded) settings.poses = m_recorded;
+    if (id == kOpened) settings.poses = m_opened;
     const QString name = takesNumber(id) ? id + QLatin1Char(':') + QString::number(m_poses->value()) : id;
-    return cameraPath(name.toStdString(), *m_scene);
+    settings.path = settings.poses ? settings.poses->name : name.toStdString();
 }
 
 void ExperimentBar::start(const std::vector<ParameterSweep>& sweeps) {
     if (!m_scene || m_running) return;
     ExperimentSettings settings;
-    try {
-        settings.path = chosenPath();
-    } catch (const Error& error) {
-        emit failed(error.message());
-        return;
-    }
+    choosePathFor(settings);
     const QSize size = m_size->currentData().toSize();
     settings.size = {size.width(), size.height()};
     settings.repetitions = m_repetitions->value();

@@ -18,7 +18,8 @@ namespace cullscope::ui {
 
 /// The user's settings of an experiment, besides its strategies.
 struct ExperimentSettings {
-    CameraPath path;
+    std::string path;                 ///< its name; of a file, the file
+    std::optional<CameraPath> poses;  ///< of a path that is known; none: a built-in one, which may take seconds to make
     Viewport size;
     int repetitions = 0;                 ///< of each frame; 0: until the median is steady
     std::vector<ParameterSweep> sweeps;  ///< sweeps to measure; empty: the shown views' strategies
@@ -43,7 +44,7 @@ public:
     void setRunning(bool running);
     void setProgress(double share, const QString& stage);
 
-    /// Emits `startRequested`, or `failed` if the path cannot be made.
+    /// Emits `startRequested`.
     void start(const std::vector<ParameterSweep>& sweeps = {});
     /// The menu of parameter sweeps: all of them, then each one.
     [[nodiscard]] QMenu& sweeps() { return *m_sweeps; }
@@ -63,7 +64,7 @@ private:
     void setUpSweeps();
     void refresh();
     void retranslate();
-    [[nodiscard]] CameraPath chosenPath() const;
+    void choosePathFor(ExperimentSettings& settings) const;
 
     ScenePointer m_scene;
     Viewport m_currentSize;

@@ -37,9 +37,9 @@ QString ParetoPlot::emptySentence() const {
 QString ParetoPlot::description() const {
     QStringList lines;
     for (const RunFigures& run : m_runs)
-        lines << tr("%1, %2: ×%3 against %5, %4 per million missed")
+        lines << tr("%1, %2: ×%3, %4 per million missed")
                      .arg(run.label, promiseWord(run.promise), ratioText(run.speedup.ratio),
-                          *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel(), baselineWord(BaselineRole::FrontFaces));
+                          *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel());
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -148,7 +148,7 @@ void ParetoPlot::addRuns(LinePlot& plot, const PlotColours& colours) const {
 std::vector<LinePlot> ParetoPlot::plots(const QPalette& palette) const {
     const PlotColours colours(palette);
     LinePlot plot;
-    const QString axis = tr("Speed against %1", "a strategy").arg(baselineWord(BaselineRole::FrontFaces));
+    const QString axis = tr("Speed against a baseline that draws the same sides");
     plot.x = {axis.toStdString(), PlotScale::Linear, 0.0, 0.0, true};
     plot.y = lossAxis();
     plot.lines = {plainLine({}, {{1.0, plot.y.least}, {1.0, plot.y.most}}, {colours.faintText.rgba(), 1.0, PlotStroke::Dashed})};

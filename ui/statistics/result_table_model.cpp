@@ -72,7 +72,9 @@ void countLoss(ResultRow& row, const std::optional<uint64_t>& missed, const std:
 
 ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     ResultRow row = emptyRow(strategy, promiseOf(measured.words("promise")));
-    row.speedup = measured.estimate("ratio_to_backface");
+    row.speedup = measured.estimate("ratio_to_same_sides");
+    row.baseline = measured.words("same_sides_baseline").value_or("");
+    row.speedupOverFronts = measured.estimate("ratio_to_backface");
     row.speedupOverTriangles = measured.estimate("ratio_to_all");
     row.fpsOverall = measured.number("fps_overall");
     row.fpsMin = measured.number("fps_min");
@@ -126,6 +128,8 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         const ViewMetrics& figures = view.figures;
         if (figures.state == ViewMetrics::State::Ready && figures.frameMilliseconds > 0.0) {
             row.speedup = figures.speedup;
+            row.baseline = figures.baseline;
+            row.speedupOverFronts = figures.speedupOverFronts;
             row.fpsOverall = 1000.0 / figures.frameMilliseconds;
             row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;
             row.submittedShare = figures.submittedShare();
@@ -154,7 +158,7 @@ QString ResultTableModel::title(int column) {
         case Name:
             return tr("Strategy");
         case Speedup:
-            return tr("Speed against\n%1 [95 %]", "a strategy").arg(baselineWord(BaselineRole::FrontFaces));
+            return tr("Speed, same\nsides [95 %]");
         case SpeedupOverTriangles:
             return tr("Speed against\n%1 [95 %]", "a strategy").arg(baselineWord(BaselineRole::Triangles));
         case Fps:
@@ -183,8 +187,9 @@ QString ResultTableModel::explanation(int column) {
         case Name:
             return tr("The strategy, and its parameters where they are not at their defaults");
         case Speedup:
-            return tr("Total time of %1 over the views divided by this strategy's, with its 95 % interval", "a strategy")
-                .arg(baselineWord(BaselineRole::FrontFaces));
+            return tr(
+                "Total time of the baseline that draws the same sides over the views divided by this strategy's, with its "
+                "95 % interval");
         case SpeedupOverTriangles:
             return tr("Total time of %1 over the views divided by this strategy's, with its 95 % interval", "a strategy")
                 .arg(baselineWord(BaselineRole::Triangles));
@@ -215,6 +220,14 @@ QString ResultTableModel::rowExplanation(const ResultRow& row, int column) {
     if (column == Name) {
         QString text = QStringLiteral("%1: %2, %3").arg(row.id, promiseWord(row.promise), promiseSentence(row.promise));
         if (row.promiseBroken) text += QLatin1Char('\n') + tr("It lost pixels: the promise is broken.");
+        return text;
+    }
+    if (column == Speedup && row.speedup && !row.baseline.empty()) {
+        QString text = explanation(column) + QLatin1Char('\n') +
+                       tr("The baseline: %1", "a strategy").arg(QString::fromStdString(row.baseline));
+        if (row.speedupOverFronts)
+            text += QLatin1Char('\n') + tr("Against %1: %2", "a strategy; a ratio of times")
+                                            .arg(baselineWord(BaselineRole::FrontFaces), speed(row.speedupOverFronts));
         return text;
     }
     return explanation(column);

@@ -52,7 +52,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         figures.promise = run.promise;
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;
         figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;
-        figures.speedup = run.summary.ratioToFrontFaces;
+        figures.speedup = run.summary.ratioToOwnRule;
         if (const std::optional<Losses> losses = run.losses())
             figures.missedPpm =
                 ppmOf(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels, losses->coveredPixels);

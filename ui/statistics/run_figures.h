@@ -29,7 +29,7 @@ struct RunFigures {
     Promise promise = Promise::Approximate;
     double frameMilliseconds = 0.0;   ///< mean over poses
     double cullMilliseconds = 0.0;    ///< mean over poses
-    RatioEstimate speedup;            ///< over `backface`
+    RatioEstimate speedup;            ///< over the baseline with the same facing rule
     std::optional<double> missedPpm;  ///< over all poses
     std::vector<PoseFigures> poses;
 };

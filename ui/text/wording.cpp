@@ -33,8 +33,15 @@ QString promiseSentence(Promise promise) {
 }
 
 QString facingWord(Facing facing) {
-    return facing == Facing::Front ? QCoreApplication::translate("Wording", "front faces only")
-                                   : QCoreApplication::translate("Wording", "both sides");
+    switch (facing) {
+        case Facing::TwoSided:
+            return QCoreApplication::translate("Wording", "both sides");
+        case Facing::Front:
+            return QCoreApplication::translate("Wording", "front faces only");
+        case Facing::ByObject:
+            return QCoreApplication::translate("Wording", "front faces only of closed objects, both sides of the others");
+    }
+    return {};
 }
 
 QString strategyWords(const StrategyRequest& strategy) {

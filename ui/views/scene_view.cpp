@@ -88,11 +88,38 @@ Vec3 SceneView::pointAt(const QPointF& position) const {
     return pointUnder(camera(), pixelAt(position), depth);
 }
 
+std::optional<Vec3> SceneView::shownSurfaceAt(const QPointF& position) const {
+    return pictureIsCurrent() ? surfaceAt(position) : std::nullopt;
+}
+
+std::optional<double> SceneView::distanceAhead() const {
+    constexpr int kPlaces = 7;
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (!shown || shown->depth.empty()) return std::nullopt;
+    const View seen(shown->request.viewing, shown->request.size);
+    const int width = seen.viewport().width, height = seen.viewport().height;
+    const auto within = [](int place, int length) { return length / 4 + place * (length / 2) / (kPlaces + 1); };
+    float nearest = 0.0f;  // reversed: the largest
+    for (int y = 1; y <= kPlaces; ++y)
+        for (int x = 1; x <= kPlaces; ++x)
+            nearest = std::max(nearest, shown->depth[size_t(within(y, height)) * size_t(width) + size_t(within(x, width))]);
+    if (!(nearest > 0.0f)) return std::nullopt;
+    return seen.distanceFromDepth(double(nearest));
+}
+
+bool SceneView::showsNothing() const {
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (!shown || !pictureIsCurrent() || shown->request.look.inPlace()) return false;
+    return std::ranges::none_of(shown->depth, [](float depth) { return depth > 0.0f; });
+}
+
+double SceneView::pace() const { return m_input->pace(); }
+
 std::optional<Vec3> SceneView::surfaceAt(const QPointF& position) const {
     const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view);
     if (!wanted) return std::nullopt;
     const ViewPicturePointer shown = pictureIsCurrent() ? m_session.picture(m_view) : m_session.pictures()->drawNow(*wanted);
-    const double depth = depthAt(*shown, position);
+    const double depth = shown->depth.empty() ? 0.0 : depthAt(*shown, position);
     if (depth <= 0.0) return std::nullopt;
     return pointUnder(camera(), pixelAt(position), depth);
 }
@@ -191,6 +218,7 @@ void SceneView::goToNextLoss() {
         setup.wipe.mode = Wipe::Mode::Loss;
         m_session.setSetup(m_view, setup);
     }
+    if (m_loss) m_session.pickLostAt(m_view, holes[*m_loss].x, holes[*m_loss].y);
     emit lossMarked();
     update();
 }

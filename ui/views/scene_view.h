@@ -34,6 +34,15 @@ public:
     [[nodiscard]] Vec3 pointAt(const QPointF& position) const;
     /// The world point of the surface at a position in the widget; none: no surface is drawn there.
     [[nodiscard]] std::optional<Vec3> surfaceAt(const QPointF& position) const;
+    /// The same in the picture that is shown, if it is of the present camera; none as well where it is not.
+    [[nodiscard]] std::optional<Vec3> shownSurfaceAt(const QPointF& position) const;
+    /// The least distance along the view direction to what the middle half of the shown picture has, which may be of the camera
+    /// a moment ago; none: nothing is there.
+    [[nodiscard]] std::optional<double> distanceAhead() const;
+    /// Whether the picture of the present camera has no surface.
+    [[nodiscard]] bool showsNothing() const;
+    /// The factor of the flying speed that the user has set.
+    [[nodiscard]] double pace() const;
     /// Whether the picture shows the present camera and strategy.
     [[nodiscard]] bool pictureIsCurrent() const;
     /// The picture pixel (y upward) at a position in the widget.
@@ -73,6 +82,7 @@ signals:
     /// The user asks for this view's context menu.
     void menuRequested(int view, const QPoint& globalPosition);
     void lossMarked();
+    void paceChanged();
     /// Emitted while the loupe is on: the pointer is at this place in the picture (none: it has left the picture).
     void loupeMoved(int view, const std::optional<QPointF>& place);
 

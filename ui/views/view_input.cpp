@@ -22,9 +22,12 @@ constexpr double kNearPerNotch = 1.25;
 constexpr double kFovyPerNotch = 1.06;
 constexpr double kNarrowestFovy = 1.0;  // degrees
 constexpr double kWidestFovy = 150.0;
-constexpr int kFlightInterval = 16;   // ms
-constexpr double kFlightSpeed = 0.6;  // scene radii a second
+constexpr int kFlightInterval = 16;                           // ms
+constexpr double kFlightSpeed = 0.8;                          // of the distance ahead, a second
+constexpr double kNearestAhead = 0.01, kFarthestAhead = 1.0;  // scene radii
+constexpr double kSettling = 6.0;                             // a second: how fast the speed follows the distance
 constexpr double kHurry = 4.0;
+constexpr double kPaceStep = 2.0, kSlowestPace = 1.0 / 64.0, kFastestPace = 64.0;
 constexpr double kLongestFlightStep = 0.1;  // seconds; keeps the camera near the scene after a slow picture
 
 bool flies(int key) {
@@ -87,6 +90,8 @@ void ViewInput::press(const QMouseEvent& event) {
 void ViewInput::beginDrag() {
     m_moved = true;
     m_last = m_pressed;
+    m_pivot.reset();
+    if (m_drag == Drag::Turn) m_pivot = m_view.shownSurfaceAt(m_pressed);
     if (m_drag != Drag::Pan) return;
     const View seen = m_view.camera();
     m_grabbedDistance = glm::dot(m_view.pointAt(m_pressed) - seen.eye(), seen.frustum().forward);
@@ -123,7 +128,8 @@ void ViewInput::move(const QMouseEvent& event) {
     const Camera& camera = m_session.viewingCamera(m_view.view());
     switch (m_drag) {
         case Drag::Turn:
-            m_session.setViewingCamera(m_view.view(), turned(camera, m_session.upAxis(), azimuth, elevation));
+            m_session.setViewingCamera(
+                m_view.view(), turnedAbout(camera, m_session.upAxis(), m_pivot.value_or(camera.target), azimuth, elevation));
             break;
         case Drag::Look:
             m_session.setViewingCamera(m_view.view(), looked(camera, m_session.upAxis(), azimuth * 0.5, elevation * -0.5));
@@ -209,6 +215,7 @@ bool ViewInput::keyPress(const QKeyEvent& event) {
     if (wantsKey(event)) {
         if (!event.isAutoRepeat()) m_keys.insert(event.key());
         if (!m_flight.isActive()) {
+            m_ahead.reset();
             m_clock.start();
             m_flight.start();
         }
@@ -230,6 +237,12 @@ bool ViewInput::keyPress(const QKeyEvent& event) {
         case Qt::Key_Down:
             way = {0.0, 1.0};
             break;
+        case Qt::Key_BracketLeft:
+            setPace(m_pace / kPaceStep);
+            return true;
+        case Qt::Key_BracketRight:
+            setPace(m_pace * kPaceStep);
+            return true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:
         case Qt::Key_Minus: {
@@ -268,11 +281,25 @@ void ViewInput::stop() {
     m_drag = Drag::None;
 }
 
+void ViewInput::setPace(double pace) {
+    m_pace = std::clamp(pace, kSlowestPace, kFastestPace);
+    emit m_view.paceChanged();
+}
+
+double ViewInput::flightSpeed(double seconds) {
+    const double radius = m_session.opened()->scene->boundingSphere().radius;
+    const double ahead =
+        std::clamp(m_view.distanceAhead().value_or(kFarthestAhead * radius), kNearestAhead * radius, kFarthestAhead * radius);
+    // In the logarithm, so that the speed changes as evenly near a wall as in the open.
+    m_ahead = m_ahead ? *m_ahead * std::pow(ahead / *m_ahead, std::min(1.0, kSettling * seconds)) : ahead;
+    return m_pace * kFlightSpeed * *m_ahead;
+}
+
 void ViewInput::fly() {
     if (!m_session.opened()) return;
     const double seconds = std::min(m_clock.restart() / 1000.0, kLongestFlightStep);
     const double hurry = QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? kHurry : 1.0;
-    const double length = hurry * kFlightSpeed * seconds * m_session.opened()->scene->boundingSphere().radius;
+    const double length = hurry * seconds * flightSpeed(seconds);
     const auto held = [this](int key) { return m_keys.contains(key) ? 1.0 : 0.0; };
     const Vec3 step(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q), held(Qt::Key_W) - held(Qt::Key_S));
     m_flown = m_flown || step != Vec3(0.0);

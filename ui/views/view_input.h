@@ -39,12 +39,18 @@ public:
     void stop();
 
     [[nodiscard]] static bool wantsKey(const QKeyEvent& event);
+    /// The factor of the flying speed that the user has set.
+    [[nodiscard]] double pace() const { return m_pace; }
 
 private:
     enum class Drag { None, Turn, Pan, Look, Wipe, Region };
 
     void beginDrag();
     void fly();
+    /// How far one flies in a second, scene units: by the distance to what is ahead, so that one neither crawls outside nor
+    /// passes through walls inside.
+    [[nodiscard]] double flightSpeed(double seconds);
+    void setPace(double pace);
     /// Picks, or looks along the axis whose end was clicked.
     void click(const QPointF& position);
     [[nodiscard]] std::optional<Vec3> axisAt(const QPointF& position) const;
@@ -61,11 +67,14 @@ private:
     QPointF m_pressed;
     QPointF m_last;
     double m_grabbedDistance = 1.0;
+    std::optional<Vec3> m_pivot;  ///< what the turn is about; none: the target
     QPointF m_zoomPosition{-1.0, -1.0};
     Vec3 m_zoomPoint{0.0};
     QSet<int> m_keys;
     QTimer m_flight;
     QElapsedTimer m_clock;
+    double m_pace = 1.0;            ///< of flying, as the user has set it
+    std::optional<double> m_ahead;  ///< the distance that the flight's speed is of, scene units
 };
 
 }  // namespace cullscope::ui

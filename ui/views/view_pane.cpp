@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kChipInset = 8;
 constexpr double kUsualScale = 1.0;
+constexpr double kUsualPace = 1.0;
 constexpr int kSmallestLentLetters = 20;  // pixels, in a lecture at its design size
 constexpr int kLentLines = 31;            // height of the pane in lines of text in a lecture
 
@@ -44,6 +45,7 @@ ViewPane::ViewPane(Session& session, int view, QWidget* parent)
     connect(&session, &Session::metricsChanged, this, mine);
     connect(&session, &Session::questionChanged, this, &ViewPane::arrange);
     connect(m_picture, &SceneView::lossMarked, this, &ViewPane::refreshChip);
+    connect(m_picture, &SceneView::paceChanged, this, &ViewPane::refreshChip);
     retranslate();
 }
 
@@ -77,7 +79,10 @@ QString ViewPane::chipText() const {
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
     if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");
+    if (m_picture->showsNothing()) parts << tr("nothing in view: Home");
     parts << lensParts();
+    if (m_picture->pace() != kUsualPace)
+        parts << tr("flying speed × %1 ([ and ])").arg(QLocale().toString(m_picture->pace(), 'g', 3));
     const double scale = m_picture->pictureLayout().scale();
     if (setup.size && std::abs(scale - kUsualScale) > 1e-6)
         parts << tr("%1 × %2 shown at %3 %")

@@ -75,15 +75,14 @@ void Experiments::start(const ExperimentSettings& settings) {
     Setting& setting = experiment.settings.front();
     // Hidden objects are measured too: the result names the scene's file, so it must be of the whole scene.
     setting.scene = m_session.opened()->specification;
-    setting.path = settings.path.name;
-    setting.views = [path = settings.path](const Scene&) { return path; };
+    setting.path = settings.path;
+    if (settings.poses) setting.views = [poses = *settings.poses](const Scene&) { return poses; };
     setting.size = settings.size;
     // The time bars and the table show every strategy beside the baselines.
     setting.baselinesToo = true;
     for (const StrategyRequest& strategy : requestsOf(setting))
         if (const std::optional<Message> why = m_session.unavailable(findStrategy(strategy.id).info))
             return m_session.raise(Severity::Error, *why);
-    m_path = settings.path;
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
     m_running = true;
@@ -111,7 +110,9 @@ void Experiments::end() {
 }
 
 void Experiments::goToPose(int pose) {
-    if (pose >= 0 && size_t(pose) < m_path.poses.size()) m_session.setCamera(m_path.camera(size_t(pose)));
+    if (!m_result || pose < 0) return;
+    const CameraPath& path = m_result->request.path;
+    if (size_t(pose) < path.poses.size()) m_session.setCamera(path.camera(size_t(pose)));
 }
 
 void Experiments::showLive(StatisticsPanel& panel) const {

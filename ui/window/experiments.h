@@ -42,7 +42,6 @@ private:
     std::optional<MeasureResult> m_result;  ///< the newest one, partial or complete
     ResultTable m_table;                    ///< of that result
     bool m_running = false;
-    CameraPath m_path;  ///< of the newest experiment
 };
 
 }  // namespace cullscope::ui

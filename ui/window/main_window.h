@@ -11,6 +11,7 @@
 #include "ui/panels/loading_strip.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/metrics_panel.h"
+#include "ui/panels/path_bar.h"
 #include "ui/panels/question_bar.h"
 #include "ui/panels/question_tree.h"
 #include "ui/panels/scene_panel.h"
@@ -38,6 +39,7 @@ class QDockWidget;
 class QScrollArea;
 class QTabWidget;
 class QToolBar;
+class QVBoxLayout;
 
 namespace cullscope::ui {
 
@@ -65,6 +67,7 @@ public:
     [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
     [[nodiscard]] Stepper& stepper() { return m_steps->stepper(); }
     [[nodiscard]] StepBar& stepBar() { return *m_stepBar; }
+    [[nodiscard]] PathBar& pathBar() { return *m_pathBar; }
     [[nodiscard]] QuestionBar& questionBar() { return *m_questionBar; }
     [[nodiscard]] QuestionTree& questionTree() { return *m_questionTree; }
     [[nodiscard]] PaperCommands& papers() { return *m_papers; }
@@ -119,6 +122,8 @@ private:
     ViewCommands* m_viewCommands;
     StepCommands* m_steps;
     StepBar* m_stepBar;
+    PathBar* m_pathBar;
+    QVBoxLayout* m_middle;  ///< the views with the bars below them
     QuestionBar* m_questionBar;
     QuestionTree* m_questionTree;
     QWidget* m_answers;  ///< what a question hides

@@ -7,69 +7,42 @@
 
 namespace cullscope::ui {
 
-namespace {
-
-// Single poses that the user added are shown for half a second each; recorded poses are a motion.
-constexpr size_t kFewPoses = 30;
-constexpr double kSpeedOfFewPoses = 1.0 / 15.0;
-
-}  // namespace
-
 PathCommands::PathCommands(Session& session, WindowActions& actions, Experiments& experiments, QWidget* window)
-    : QObject(window),
-      m_session(session),
-      m_actions(actions),
-      m_window(window),
-      m_recorder(new CameraRecorder(session, this)),
-      m_player(new CameraPlayer(session, this)),
-      m_experiments(experiments) {
+    : QObject(window), m_session(session), m_actions(actions), m_window(window), m_desk(new PathDesk(session, this)) {
+    connect(m_desk, &PathDesk::ownPathChanged, &experiments, [&experiments](const CameraPath& path) {
+        experiments.setRecordedPath(path.poses.empty() ? std::nullopt : std::optional(path));
+    });
     wire();
     refresh();
 }
 
 void PathCommands::wire() {
-    connect(m_actions.record, &QAction::triggered, this, [this](bool on) { on ? m_recorder->start() : m_recorder->stop(); });
-    connect(m_recorder, &CameraRecorder::changed, this, &PathCommands::offerRecorded);
-    connect(m_actions.addPose, &QAction::triggered, m_recorder, &CameraRecorder::addPose);
+    connect(m_actions.record, &QAction::triggered, this, [this](bool on) { on ? recorder().start() : recorder().stop(); });
+    connect(m_actions.addPose, &QAction::triggered, this, [this] { recorder().addPose(); });
     connect(m_actions.savePath, &QAction::triggered, this, &PathCommands::save);
     connect(m_actions.openPath, &QAction::triggered, this, &PathCommands::open);
     connect(m_actions.play, &QAction::triggered, this, &PathCommands::play);
-    connect(m_actions.stop, &QAction::triggered, this, [this] {
-        m_recorder->stop();
-        m_player->stop();
-    });
-    connect(m_recorder, &CameraRecorder::changed, this, &PathCommands::refresh);
-    connect(m_player, &CameraPlayer::stateChanged, this, &PathCommands::refresh);
+    connect(m_actions.stop, &QAction::triggered, m_desk, &PathDesk::stop);
+    connect(m_actions.poseOn, &QAction::triggered, m_desk, [this] { m_desk->step(1); });
+    connect(m_actions.poseBack, &QAction::triggered, m_desk, [this] { m_desk->step(-1); });
+    connect(&m_actions, &WindowActions::builtInPathChosen, m_desk, &PathDesk::makeBuiltIn);
+    connect(m_desk, &PathDesk::changed, this, &PathCommands::refresh);
     connect(&m_session, &Session::sceneChanged, this, &PathCommands::refresh);
 }
 
 void PathCommands::refresh() {
     const bool scene = m_session.opened() != nullptr;
-    const bool path = !m_recorder->path().poses.empty() || !m_opened.poses.empty();
+    const bool path = !m_desk->path().poses.empty(), recording = recorder().recording();
     m_actions.record->setEnabled(scene);
-    m_actions.record->setChecked(m_recorder->recording());
+    m_actions.record->setChecked(recording);
     m_actions.addPose->setEnabled(scene);
-    m_actions.savePath->setEnabled(!m_recorder->path().poses.empty());
+    m_actions.builtInPaths->setEnabled(scene);
+    m_actions.savePath->setEnabled(path && !recording);
     m_actions.openPath->setEnabled(scene);
-    m_actions.play->setEnabled(scene && path && !m_recorder->recording());
-    m_actions.play->setChecked(m_player->playing());
-    m_actions.stop->setEnabled(m_recorder->recording() || m_player->active());
-}
-
-/// Offers the recorded path to experiments as soon as the recording ends.
-void PathCommands::offerRecorded() {
-    if (m_recorder->recording()) return;
-    // From now on Play plays the newest path.
-    m_opened = {};
-    if (!m_player->playing()) m_player->stop();
-    CameraPath path = m_recorder->path();
-    m_experiments.setRecordedPath(path.poses.empty() ? std::nullopt : std::optional(std::move(path)));
-    if (m_recorder->lensDiffers())
-        m_session.raise(Severity::Warning,
-                        {QT_TRANSLATE_NOOP("core",
-                                           "The field of view changed while the path was recorded: all of it has that of its "
-                                           "first pose."),
-                         {}});
+    m_actions.play->setEnabled(scene && path && !recording);
+    m_actions.play->setChecked(player().playing());
+    for (QAction* step : {m_actions.poseOn, m_actions.poseBack}) step->setEnabled(scene && path && !recording);
+    m_actions.stop->setEnabled(recording || player().active() || !m_desk->making().isEmpty());
 }
 
 QString PathCommands::askFile(bool save) {
@@ -87,15 +60,11 @@ void PathCommands::save() {
     const QString file = askFile(true);
     if (file.isEmpty()) return;
     try {
-        m_recorder->save(file.toStdString());
+        m_desk->save(QFileInfo(file).absoluteFilePath().toStdString());
     } catch (const Error& error) {
         m_session.raise(Severity::Error, error.message());
         return;
     }
-    // Name the path by its file, so that an experiment over it can be repeated.
-    CameraPath path = m_recorder->path();
-    path.name = QFileInfo(file).absoluteFilePath().toStdString();
-    m_experiments.setRecordedPath(std::move(path));
     m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {file.toStdString()}});
 }
 
@@ -103,27 +72,12 @@ void PathCommands::open() {
     const QString file = askFile(false);
     if (file.isEmpty()) return;
     try {
-        m_opened = readCameraPath(file.toStdString());
+        m_desk->open(QFileInfo(file).absoluteFilePath().toStdString());
     } catch (const Error& error) {
         m_session.raise(Severity::Error, error.message());
-        return;
     }
-    refresh();
-    playFromStart(m_opened);
 }
 
-void PathCommands::playFromStart(const CameraPath& path) {
-    m_player->setSpeed(path.poses.size() < kFewPoses ? kSpeedOfFewPoses : 1.0);
-    m_player->play(path);
-}
-
-void PathCommands::play(bool on) {
-    if (!on)
-        m_player->pause();
-    else if (m_player->active())
-        m_player->resume();
-    else
-        playFromStart(m_opened.poses.empty() ? m_recorder->path() : m_opened);
-}
+void PathCommands::play(bool on) { on ? m_desk->play() : player().pause(); }
 
 }  // namespace cullscope::ui

@@ -3,41 +3,37 @@
 #include <QObject>
 #include <QSettings>
 
-#include "ui/session/camera_player.h"
-#include "ui/session/camera_recorder.h"
+#include "ui/session/path_desk.h"
 #include "ui/window/experiments.h"
 #include "ui/window/window_actions.h"
 
 namespace cullscope::ui {
 
-/// The commands that record and play a camera path.
+/// The commands that record, make, play and keep a camera path.
 class PathCommands : public QObject {
     Q_OBJECT
 
 public:
     PathCommands(Session& session, WindowActions& actions, Experiments& experiments, QWidget* window);
 
-    [[nodiscard]] CameraRecorder& recorder() { return *m_recorder; }
-    [[nodiscard]] CameraPlayer& player() { return *m_player; }
+    [[nodiscard]] PathDesk& desk() { return *m_desk; }
+    [[nodiscard]] CameraRecorder& recorder() { return m_desk->recorder(); }
+    [[nodiscard]] CameraPlayer& player() { return m_desk->player(); }
+
+    void save();
 
 private:
     void wire();
-    void save();
     void open();
     void play(bool on);
-    void playFromStart(const CameraPath& path);
     void refresh();
-    void offerRecorded();
     /// Asks for a path file; returns an empty string if the user chose none. Starts in the folder of the last file.
     [[nodiscard]] QString askFile(bool save);
 
     Session& m_session;
     WindowActions& m_actions;
     QWidget* m_window;
-    CameraRecorder* m_recorder;
-    CameraPlayer* m_player;
-    Experiments& m_experiments;
-    CameraPath m_opened;
+    PathDesk* m_desk;
     QSettings m_settings;
 };
 

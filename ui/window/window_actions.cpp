@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
+#include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "core/visibility/registry.h"
 #include "ui/look/tinted_icon.h"
@@ -35,8 +36,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     upAxis = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu : {&generate, &recent, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu, &m_pictureMenu,
-                         &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
+    for (QMenu** menu : {&generate, &builtInPaths, &recent, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu,
+                         &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
     makeView();
@@ -102,6 +103,8 @@ void WindowActions::makePicture() {
     openPath = command({});
     play = toggle(Qt::Key_Space);
     stop = command({});
+    poseOn = command(QKeySequence(Qt::CTRL | Qt::Key_Right));
+    poseBack = command(QKeySequence(Qt::CTRL | Qt::Key_Left));
 }
 
 QAction* WindowActions::command(const QKeySequence& shortcut, const QString& icon) {
@@ -177,7 +180,8 @@ void WindowActions::fill(QMenuBar& bar) {
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
     m_pathMenu->addActions({record, addPose, savePath});
     m_pathMenu->addSeparator();
-    m_pathMenu->addActions({openPath, play, stop});
+    m_pathMenu->addMenu(builtInPaths);
+    m_pathMenu->addActions({openPath, play, poseOn, poseBack, stop});
     m_languageMenu->addActions(languages->actions());
     m_helpMenu->addActions({help, keys, about});
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_viewMenu, m_pictureMenu, m_pathMenu, m_languageMenu, m_helpMenu})
@@ -220,6 +224,19 @@ void WindowActions::fillGenerate() {
     }
 }
 
+void WindowActions::fillPaths() {
+    constexpr const char* kPoses = "16";  // as many as the command line takes of itself
+    builtInPaths->clear();
+    builtInPaths->setToolTipsVisible(true);
+    for (const BuiltInPath& path : cullscope::builtInPaths()) {
+        const QString name =
+            QString::fromStdString(path.id).replace(QStringLiteral(":N"), QStringLiteral(":") + QLatin1String(kPoses));
+        QAction* action = builtInPaths->addAction(name);
+        action->setToolTip(translated(path.description));
+        connect(action, &QAction::triggered, this, [this, name] { emit builtInPathChosen(name); });
+    }
+}
+
 void WindowActions::retranslate() {
     m_fileMenu->setTitle(tr("&File"));
     m_editMenu->setTitle(tr("&Edit"));
@@ -236,6 +253,7 @@ void WindowActions::retranslate() {
     say(help, tr("&Help"), tr("What the views, panels and figures mean"));
     say(about, tr("&About Cullscope"), tr("Version and licences"));
     fillGenerate();
+    fillPaths();
 }
 
 QString WindowActions::modelStandsInPlace() {
@@ -313,6 +331,9 @@ void WindowActions::retranslatePicture() {
     say(openPath, tr("&Open a path…"), tr("Open a camera path to play it"));
     say(play, tr("&Play"), tr("Play the path, a picture of every view at every pose"));
     say(stop, tr("S&top"), tr("Stop recording and playing"));
+    say(poseOn, tr("One pose o&n"), tr("Show the next pose of the path, without measuring"));
+    say(poseBack, tr("One pose bac&k"), tr("Show the pose before, without measuring"));
+    builtInPaths->setTitle(tr("&Built-in paths"));
 }
 
 }  // namespace cullscope::ui

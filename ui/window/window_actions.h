@@ -54,7 +54,8 @@ public:
     std::vector<std::pair<const Show*, QAction*>> shows;
     [[nodiscard]] QAction* show(const std::string& id) const;
     // Path
-    QAction *record, *addPose, *savePath, *openPath, *play, *stop;
+    QAction *record, *addPose, *savePath, *openPath, *play, *stop, *poseOn, *poseBack;
+    QMenu* builtInPaths;  ///< filled from core's list
     // Help
     QAction *help, *keys, *about;
     QActionGroup *views, *upAxis, *languages, *appearance;
@@ -62,6 +63,8 @@ public:
 signals:
     /// A generator of core's list was chosen.
     void generatorChosen(int index);
+    /// A built-in path was chosen: its name with a number of poses, where it takes one.
+    void builtInPathChosen(const QString& name);
     void languageChosen(const QString& id);
 
 private:
@@ -79,6 +82,7 @@ private:
     QAction* option(QActionGroup* group, const QString& data, const QKeySequence& shortcut = {}, const QString& icon = {});
     void makeLanguages();
     void fillGenerate();
+    void fillPaths();
 
     QWidget* m_window;
     bool m_modelShown = false;  ///< the active view shows a model in spherical coordinates

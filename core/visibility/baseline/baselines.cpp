@@ -1,6 +1,7 @@
 #include "core/visibility/baseline/baselines.h"
 
 #include "core/base/message.h"
+#include "core/visibility/facing.h"
 
 namespace cullscope::baseline {
 namespace {
@@ -74,9 +75,7 @@ protected:
     }
 };
 
-Show listingOfAll() {
-    return listingShow({{CULLSCOPE_TR("for each object"), 0}, {CULLSCOPE_TR("draw its triangles, both sides"), 1}});
-}
+Show listingOfAll() { return listingShow({{CULLSCOPE_TR("for each object"), 0}, {CULLSCOPE_TR("draw all its triangles"), 1}}); }
 
 Show listingOfFrontFaces() {
     return listingShow({{CULLSCOPE_TR("for each object"), 0}, {CULLSCOPE_TR("draw it: OpenGL drops back faces"), 1}});
@@ -85,14 +84,10 @@ Show listingOfFrontFaces() {
 }  // namespace
 
 RegisteredStrategy all() {
-    StrategyInfo info{"all",
-                      CULLSCOPE_TR("All triangles"),
-                      CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
-                      "",
-                      {},
-                      GlRequirement::None,
-                      false,
-                      BaselineRole::Triangles};
+    StrategyInfo info{
+        "all", CULLSCOPE_TR("All triangles"),  CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
+        "",    {facingParameter("two-sided")}, GlRequirement::None,
+        false, BaselineRole::Triangles};
     info.shows = {listingOfAll()};
     return {std::move(info), std::make_shared<All>()};
 }

@@ -117,8 +117,9 @@ private:
             if (record != nullptr) record->say(atLine(WalkLine::Sphere, ending(record->subject(), Decision::Outcome::Culled)));
             return result;
         }
-        CellTests tests{planesToTest(object, seen), m_frame.facing() == Facing::Front && m_cones && seen.eyeKnown};
-        const std::optional<KernelHorizon> horizon = horizonOf(mesh, seen);
+        CellTests tests{planesToTest(object, seen),
+                        dropsBacks(scene(), object.instance, m_frame.facing()) && m_cones && seen.eyeKnown};
+        const std::optional<KernelHorizon> horizon = horizonOf(object.instance, mesh, seen);
         tests.horizon = horizon ? &*horizon : nullptr;
         if (record == nullptr)
             result.walk = walkCells(*mesh.tree, seen, tests);
@@ -166,11 +167,12 @@ private:
 
     /// Without a horizon where the near plane cuts the object, or where the kernel's outer side is not drawn: then the surface
     /// around it hides nothing.
-    [[nodiscard]] std::optional<KernelHorizon> horizonOf(const MeshCells& mesh, const ObjectSpaceView& seen) const {
+    [[nodiscard]] std::optional<KernelHorizon> horizonOf(uint32_t instance, const MeshCells& mesh,
+                                                         const ObjectSpaceView& seen) const {
         if (!m_horizon || !mesh.kernel || !mesh.kernel->filled() || !seen.beyondNear ||
             seen.relation == SphereRelation::AroundEye)
             return {};
-        if (m_frame.facing() == Facing::Front && !mesh.kernel->outward()) return {};
+        if (dropsBacks(scene(), instance, m_frame.facing()) && !mesh.kernel->outward()) return {};
         KernelHorizon horizon(*mesh.kernel, seen.eye, mesh.tree->sphere().radius, snapping(seen));
         return horizon.usable() ? std::optional(std::move(horizon)) : std::nullopt;
     }

@@ -21,9 +21,8 @@ struct MappedScene : Structure {
 
     std::vector<MappedMesh> meshes;
     TriangleOrderPointer order;
-    /// Whether every mesh is star-shaped around its centre, for pictures of both sides and of front sides; of
-    /// `spherical-horizon`.
-    bool starShaped = false, starShapedInFront = false;
+    /// Whether every mesh is star-shaped around its centre, for pictures under each facing rule; of `spherical-horizon`.
+    std::array<bool, kFacingRules> starShaped{};
 };
 
 /// The maps of a mesh by the parameter "rows".

@@ -19,22 +19,23 @@ class SphericalHorizon final : public MappedCulling {
 protected:
     [[nodiscard]] Promise promiseOf(const MappedScene& structure, const ParameterSet& /*parameters*/,
                                     Facing facing) const override {
-        const bool starShaped = facing == Facing::Front ? structure.starShapedInFront : structure.starShaped;
-        return starShaped ? Promise::Conservative : Promise::Approximate;
+        return structure.starShaped[size_t(facing)] ? Promise::Conservative : Promise::Approximate;
     }
 
     void fill(MappedScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
-        structure.starShaped = structure.starShapedInFront = true;
+        structure.starShaped.fill(true);
         MappedCulling::fill(structure, parameters, progress);
     }
     void buildFor(MappedScene& structure, MappedMesh& mesh) const override {
         mesh.horizonCells = std::make_unique<HorizonCells>(*mesh.maps, *mesh.bandCells);
         // Above the limit the star-shape test is not run, because the user did not request it; the weaker promise is made
         // instead.
-        const bool tested = structure.starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit;
-        structure.starShaped = tested && isStarShaped(*mesh.maps, Facing::TwoSided);
-        structure.starShapedInFront =
-            structure.starShaped && structure.starShapedInFront && isStarShaped(*mesh.maps, Facing::Front);
+        const bool asked = mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit;
+        bool &both = structure.starShaped[size_t(Facing::TwoSided)], &front = structure.starShaped[size_t(Facing::Front)];
+        both = asked && both && isStarShaped(*mesh.maps, Facing::TwoSided);
+        front = both && front && isStarShaped(*mesh.maps, Facing::Front);
+        // A star-shaped mesh whose front does not suffice is turned inward, and has both sides drawn.
+        structure.starShaped[size_t(Facing::ByObject)] = both;
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
     [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfHorizon(decision); }

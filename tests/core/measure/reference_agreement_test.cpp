@@ -90,11 +90,14 @@ private:
                 double edge) {
         if (++m_tally.failures > 5) return;
         const auto width = static_cast<size_t>(kSize.width);
-        ADD_FAILURE() << m_name << (facing == Facing::Front ? " front" : " two-sided") << " pixel " << pixel % width << ","
-                      << pixel / width << ": item buffer triangle " << items.triangle[pixel] << " depth " << items.depth[pixel]
-                      << ", rays triangle " << rays.triangle[pixel] << " depth " << rays.depth[pixel] << " per pixel "
-                      << rays.depthPerPixel[pixel] << "; nearest edge of the nearer triangle " << edge << " px; "
-                      << described(camera);
+        ADD_FAILURE() << m_name
+                      << (facing == Facing::Front      ? " front"
+                          : facing == Facing::TwoSided ? " two-sided"
+                                                       : " by object")
+                      << " pixel " << pixel % width << "," << pixel / width << ": item buffer triangle " << items.triangle[pixel]
+                      << " depth " << items.depth[pixel] << ", rays triangle " << rays.triangle[pixel] << " depth "
+                      << rays.depth[pixel] << " per pixel " << rays.depthPerPixel[pixel]
+                      << "; nearest edge of the nearer triangle " << edge << " px; " << described(camera);
     }
 
     std::string m_name;
@@ -124,7 +127,7 @@ std::vector<Camera> around(const Scene& scene, size_t count, uint64_t seed) {
 void compareAround(const std::string& name, const ScenePointer& scene, size_t views, size_t allViews) {
     Comparison comparison(name, scene);
     for (const Camera& camera : around(*scene, longMode() ? allViews : views, 51))
-        for (const Facing facing : {Facing::TwoSided, Facing::Front}) comparison.compare(camera, facing);
+        for (const Facing facing : {Facing::TwoSided, Facing::Front, Facing::ByObject}) comparison.compare(camera, facing);
     comparison.print();
 }
 
@@ -177,7 +180,7 @@ TEST(ReferenceAgreement, holdsForSurfacesCutByTheNearPlane) {
             camera.fovy = Angle::fromDegrees(random.between(50, 100));
             camera.nearDistance = sphere.radius * random.between(0.02, 0.3);
             camera.farDistance = sphere.radius * random.between(1.0, 5.0);
-            for (const Facing facing : {Facing::TwoSided, Facing::Front}) comparison.compare(camera, facing);
+            for (const Facing facing : {Facing::TwoSided, Facing::Front, Facing::ByObject}) comparison.compare(camera, facing);
         }
         comparison.print();
     }

@@ -61,7 +61,7 @@ protected:
             turns.push_back(strategy.id());
             return 1.0;
         };
-        baseline = ViewBaseline().of(experiment.scene, structures);
+        baseline = ViewBaselines().under(Facing::Front, experiment.scene, structures);
     }
 
     [[nodiscard]] View view(size_t pose = 0) const { return {experiment.path.camera(pose), experiment.size}; }

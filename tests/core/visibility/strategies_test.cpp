@@ -203,9 +203,13 @@ TEST(Facing, autoFollowsWhetherMeshesAreClosed) {
         return strategy->cull(standardView()).drawList.facing;
     };
     const ScenePointer closed = sceneOf({boxMesh(Vec3f(-1), Vec3f(1))});
-    const ScenePointer open = sceneOf({boxMesh(Vec3f(-1), Vec3f(1)), squareMesh(1, 0)});
+    const ScenePointer mixed = sceneOf({boxMesh(Vec3f(-1), Vec3f(1)), squareMesh(1, 0)});
+    const ScenePointer open = sceneOf({squareMesh(1, 0), squareMesh(1, 1)});
     EXPECT_EQ(resolved(*closed), Facing::Front);
+    EXPECT_EQ(resolved(*mixed), Facing::ByObject);
     EXPECT_EQ(resolved(*open), Facing::TwoSided);
+    EXPECT_EQ(facingOf(*mixed, 0, Facing::ByObject), Facing::Front);
+    EXPECT_EQ(facingOf(*mixed, 1, Facing::ByObject), Facing::TwoSided);
     parameters.setFromText("facing", "two-sided");
     EXPECT_EQ(resolved(*closed), Facing::TwoSided);
     parameters.setFromText("facing", "front");

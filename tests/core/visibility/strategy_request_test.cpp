@@ -49,7 +49,7 @@ TEST(StrategyText, whatIsUnknownIsRefused) {
     EXPECT_NE(refusal("frustum:faces=both").find("Known: "), std::string::npos);
     EXPECT_NE(refusal("frustum:facing=both").find("two-sided"), std::string::npos);
     EXPECT_EQ(refusal("frustum:facing"), "\"facing\" is not of the form key=value.");
-    EXPECT_EQ(refusal("all:facing=front"), "The strategy \"all\" has no parameters.");
+    EXPECT_EQ(refusal("backface:facing=front"), "The strategy \"backface\" has no parameters.");
     EXPECT_EQ(refusal("frustum:box=length:box=length"), "frustum:box=length:box=length: box is given twice.");
 }
 

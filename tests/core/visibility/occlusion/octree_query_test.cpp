@@ -108,7 +108,8 @@ TEST(OctreeQuery, boxAroundTheEyeOrAcrossTheNearPlaneIsNotAskedAbout) {
     const ScenePointer scene =
         sceneOf({sphereMesh(320), squareMesh(0.05f, -0.15f), sphereMesh(320), squareMesh(20, -1.5f)},
                 {scaling(Vec3(1.4)), Mat4(1.0), translation({0, 0, -0.55}) * scaling(Vec3(0.5)), Mat4(1.0)});
-    const CullerPointer culler = octreeQuery({{"batch", "1"}});
+    // Both sides are drawn: of the sphere around the eye only the back is seen.
+    const CullerPointer culler = octreeQuery({{"batch", "1"}, {"facing", "two-sided"}});
     culler->build(*scene);
     const Culled frame = frameOf(*culler, standardView());
     EXPECT_EQ(drawn(frame), (std::set<uint32_t>{0, 1, 2}));
