@@ -42,7 +42,7 @@ TEST_F(CullbenchContract, sweepHasARowForEachValueAndForWhatIsNotVaried) {
     EXPECT_EQ(table["rows"][2]["strategy"], "backface");
     EXPECT_TRUE(table["rows"][2]["parameter"].is_null());
     const std::string csv = contents(file("s.csv"));
-    EXPECT_TRUE(csv.starts_with("strategy,parameter,value,fps_overall,ratio_to_all,ratio_to_all_low,")) << csv;
+    EXPECT_TRUE(csv.starts_with("strategy,parameter,value,fps_overall,ratio_to_same_sides,ratio_to_same_sides_low,")) << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and three rows";
     EXPECT_THAT(contents(file("s.svg")), testing::AllOf(testing::StartsWith("<svg"), HasSubstr("spherical:band=10, rows")));
 }
