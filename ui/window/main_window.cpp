@@ -64,6 +64,11 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     m_viewCommands = new ViewCommands(m_session, *m_views, *m_actions, m_document->screenshots(), this);
     m_paths = new PathCommands(m_session, *m_actions, *m_experiments, this);
     m_papers = new PaperCommands(m_session, *m_actions, *m_experiments, m_document->undo(), this);
+    m_lessons = new LessonCommands(m_session, *m_views, *m_actions, *m_document, m_language, this);
+    m_lessonBar = new LessonBar(m_lessons->player(), m_language, m_stack->parentWidget());
+    m_middle->insertWidget(0, m_lessonBar);
+    m_presenter = new PresenterPage(m_lessons->player(), m_language, m_stack);
+    m_stack->addWidget(m_presenter);
     m_memory = std::make_unique<WindowMemory>(*this);
     wireCommands();
     wireSession();
@@ -97,13 +102,13 @@ void MainWindow::makeCentre() {
     row->addWidget(m_side);
     m_steps = new StepCommands(m_session, *m_actions, this);
     m_stepBar = new StepBar(m_session, m_steps->stepper(), centre);
-    auto* middle = new QVBoxLayout;
-    middle->setSpacing(0);
-    middle->addWidget(m_stack, 1);
-    middle->addWidget(m_stepBar);
+    m_middle = new QVBoxLayout;
+    m_middle->setSpacing(0);
+    m_middle->addWidget(m_stack, 1);
+    m_middle->addWidget(m_stepBar);
     m_questionBar = new QuestionBar(m_session, m_steps->questions(), centre);
-    middle->addWidget(m_questionBar);
-    row->addLayout(middle, 1);
+    m_middle->addWidget(m_questionBar);
+    row->addLayout(m_middle, 1);
     row->addWidget(m_rightRail);
     m_message = new MessageBar(*m_stack);
     setCentralWidget(centre);
@@ -138,6 +143,7 @@ void MainWindow::makeDocks() {
     m_structure = new StructurePanel(m_session, *m_reader, content);
     m_tabs = &m_structure->tabs();
     m_figures = new MetricsPanel(m_session, m_tabs);
+    m_figures->setObjectName(QStringLiteral("figures"));
     m_tabs->insertTab(0, m_figures, QString());
     m_tabs->setCurrentIndex(0);
     m_legend = new LegendPanel(m_session, content);
@@ -200,7 +206,16 @@ void MainWindow::makeStatusBar() {
 void MainWindow::wireCommands() {
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     m_document->setArrangement([this] { return arrangement(); });
+    m_document->opener().setWindowState([this](SessionState& state) {
+        state.inside = {m_structure->page(), m_structure->map().map().colouring()};
+    });
+    connect(&m_lessons->player(), &LessonPlayer::shown, this, [this](const LessonStep& step) {
+        showPanels(step.state);
+        // What the program itself set up is no progress of the user.
+        if (!m_lessons->player().active()) m_legend->startAnew();
+    });
     connect(&m_document->opener(), &SessionOpener::restored, this, [this](const SessionState& state) {
+        showPanels(state);
         if (state.arrangement == kLectureArrangement) beginLecture();
     });
     connect(m_empty, &EmptyState::openRequested, m_document, &DocumentCommands::openByDialog);
@@ -245,13 +260,14 @@ void MainWindow::wireSession() {
         m_answers->setVisible(!m_session.question());
         m_statistics->widget()->setVisible(!m_session.question());
     });
+    connect(m_legend, &LegendPanel::lessonRequested, this, [this] { m_lessons->player().begin(LessonPlayer::known().front()); });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }
 
 void MainWindow::showState() {
     const OpenedScenePointer& opened = m_session.opened();
-    m_stack->setCurrentWidget(opened ? static_cast<QWidget*>(m_views) : m_empty);
+    m_stack->setCurrentWidget(m_lecture ? m_presenter : opened ? static_cast<QWidget*>(m_views) : m_empty);
     for (QAction* action : m_actions->views->actions())
         action->setChecked(action->data().toString().toInt() == m_session.viewCount());
     (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true);
@@ -275,6 +291,7 @@ void MainWindow::fixBarHeights() {
 void MainWindow::retranslate() {
     m_actions->retranslate();
     m_document->retranslate();
+    m_lessons->retranslate();
     m_dock->setWindowTitle(tr("Inside"));
     m_dock->toggleViewAction()->setToolTip(tr("Inside: what the strategy decided, and why"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
@@ -307,19 +324,6 @@ void MainWindow::showHelp() {
     open->show();
     open->raise();
     open->activateWindow();
-}
-
-void MainWindow::beginLecture() {
-    if (m_lecture || !m_session.opened()) return;
-    auto* legend = new LegendPanel(m_session);
-    legend->showToAudience();
-    m_lecture = new LectureWindow(m_session, *m_views, legend, this);
-    connect(m_lecture, &LectureWindow::left, this, [this] {
-        m_lecture->deleteLater();
-        m_lecture = nullptr;
-    });
-    m_lecture->setStepper(&m_steps->stepper());
-    m_lecture->begin();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
