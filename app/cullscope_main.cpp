@@ -38,6 +38,9 @@ struct CommandLine {
     std::string language;
     std::optional<Viewport> size;  ///< none: the largest that fits on the screen
     std::string screenshot;
+    std::string lesson;
+    std::string handout;
+    int lessonStep = 0;  ///< from 0
 };
 
 Viewport sizeFromText(const std::string& text) {
@@ -89,6 +92,9 @@ CommandLine parse(int argc, char** argv) {
     parser.add_option("--size", size,
                       "The size of the window, as WIDTHxHEIGHT (default: 1366x768, or the screen where it is smaller)");
     parser.add_option("--screenshot", line.screenshot, "Save a picture of the window once the figures are there, and leave");
+    parser.add_option("--lesson", line.lesson,
+                      "Begin with a lesson, NAME or NAME:STEP, or a lesson's file (File, Lessons lists them)");
+    parser.add_option("--handout", line.handout, "With --lesson: save all its steps as a .pdf or .html file, and leave");
     parser.set_version_flag("--version", CULLSCOPE_VERSION);
     refuseEmptyValues(parser);
     try {
@@ -103,6 +109,20 @@ CommandLine parse(int argc, char** argv) {
     if (!line.screenshot.empty()) {
         ui::requireWindowPictureFormat(line.screenshot);
         requireWritable(line.screenshot);
+    }
+    if (!line.lesson.empty()) {
+        QString name = QString::fromStdString(line.lesson);
+        line.lessonStep = ui::LessonPlayer::cutStep(name);
+        line.lesson = name.toStdString();
+        (void)ui::LessonPlayer::read(name);
+        if (!line.scene.empty() || !strategies.empty())
+            throwUsage("--lesson %1: a lesson says itself which scene and strategies it shows; leave out SCENE and -s.",
+                       {line.lesson});
+    }
+    if (!line.handout.empty()) {
+        if (line.lesson.empty()) throwUsage("--handout %1: name the lesson by --lesson.", {line.handout});
+        ui::LessonHandout::requireFormat(QString::fromStdString(line.handout));
+        requireWritable(line.handout);
     }
     if (!strategies.empty()) line.strategies = strategiesOfViews(strategies);
     return line;
@@ -136,7 +156,7 @@ int show(ui::Application& application, ui::AbruptEnd& abruptEnd, const CommandLi
     ui::MainWindow window(session, language, appearance);
     ui::requireDrawable(window);
     // A picture of the window must be the same on every machine, so it neither reads nor stores a layout.
-    const bool remembers = line.screenshot.empty();
+    const bool remembers = line.screenshot.empty() && line.handout.empty();
     window.setKeepsLayout(remembers);
     const bool restored = remembers && window.restoreLayout(line.strategies.empty());
     if (line.size) {
@@ -155,7 +175,19 @@ int show(ui::Application& application, ui::AbruptEnd& abruptEnd, const CommandLi
         picture = std::make_unique<ui::WindowPicture>(window, session, line.screenshot);
         QObject::connect(picture.get(), &ui::WindowPicture::done, &application, &QCoreApplication::exit);
     }
-    window.document().opener().open(QString::fromStdString(scene));
+    if (line.lesson.empty() && line.scene.empty() && line.strategies.empty())
+        window.lessons().player().show(ui::LessonPlayer::firstStep(restored ? session.viewCount() : 2));
+    else if (line.lesson.empty())
+        window.document().opener().open(QString::fromStdString(scene));
+    else
+        window.lessons().player().begin(QString::fromStdString(line.lesson), line.lessonStep);
+    if (!line.handout.empty()) {
+        ui::LessonHandout& handout = window.lessons().handout();
+        QObject::connect(&handout, &ui::LessonHandout::done, &application, [] { QCoreApplication::exit(0); });
+        QObject::connect(&handout, &ui::LessonHandout::failed, &application,
+                         [] { QCoreApplication::exit(int(ErrorKind::Usage)); });
+        handout.make(QString::fromStdString(line.handout));
+    }
     if (line.screenshot.empty()) recovery.offer();
     return QApplication::exec();
 }

@@ -255,6 +255,10 @@
         <source>Picture</source>
         <translation>그림</translation>
     </message>
+    <message>
+        <source>Below the picture</source>
+        <translation>그림 아래에</translation>
+    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -1168,10 +1172,6 @@
     <message>
         <source>a view can watch only another one that is no observer itself.</source>
         <translation>뷰는 관찰자가 아닌 다른 뷰만 관찰할 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>there are 1, 2, 4 or 8 views.</source>
-        <translation>뷰는 1, 2, 4 또는 8개입니다.</translation>
     </message>
     <message>
         <source>the near distance must be above 0.</source>
@@ -4865,6 +4865,74 @@
         <source>baseline, same sides</source>
         <translation>기준선, 같은 면</translation>
     </message>
+    <message>
+        <source>There is no lesson &quot;%1&quot;: name a lesson&apos;s file, or one of %2.</source>
+        <translation>&quot;%1&quot;(이)라는 수업이 없습니다. 수업 파일이나 다음 중 하나를 쓰십시오: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson that can be read: it has more than %2 bytes.</source>
+        <translation>%1은(는) 읽을 수 있는 수업이 아닙니다. %2바이트보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>%1: a lesson needs a title and at least one line &quot;step&quot;.</source>
+        <translation>%1: 수업에는 제목과 &quot;step&quot; 줄이 하나 이상 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: the line is no UTF-8: save the file as UTF-8.</source>
+        <translation>%1: 이 줄은 UTF-8이 아닙니다. 파일을 UTF-8로 저장하십시오.</translation>
+    </message>
+    <message>
+        <source>%1: a lesson has at most %2 steps.</source>
+        <translation>%1: 수업의 단계는 %2개까지입니다.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is no language: write one of %3 before the sentence.</source>
+        <translation>%1: &quot;%2&quot;은(는) 언어가 아닙니다. 문장 앞에 %3 중 하나를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the sentence is missing.</source>
+        <translation>%1: 문장이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: there is a sentence in &quot;%2&quot; already.</source>
+        <translation>%1: &quot;%2&quot; 문장이 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1: the value has too many brackets.</source>
+        <translation>%1: 값에 괄호가 너무 많습니다.</translation>
+    </message>
+    <message>
+        <source>%1: write a field of a session and its value, such as &quot;A.role observer&quot;.</source>
+        <translation>%1: &quot;A.role observer&quot;처럼 세션의 필드와 값을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1: write &quot;home&quot;, six numbers (where the camera stands and where it looks), or a camera path and the number of a pose from 0, such as &quot;case-1 3&quot;.</source>
+        <translation>%1: &quot;home&quot;, 수 여섯 개(카메라가 선 곳과 보는 곳), 또는 &quot;case-1 3&quot;처럼 카메라 경로와 0부터 센 자세 번호를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1: a session has no field &quot;%2&quot; here.</source>
+        <translation>%1: 세션에는 여기에 필드 &quot;%2&quot;이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: the step has no sentence: add a line &quot;say&quot;.</source>
+        <translation>%1: 단계에 문장이 없습니다. &quot;say&quot; 줄을 넣으십시오.</translation>
+    </message>
+    <message>
+        <source>The camera path %1 has no pose %2 here: its last one is %3.</source>
+        <translation>카메라 경로 %1에는 자세 %2이(가) 없습니다. 마지막은 %3입니다.</translation>
+    </message>
+    <message>
+        <source>there are 1, 2, 4, 6 or 8 views.</source>
+        <translation>뷰는 1, 2, 4, 6 또는 8개입니다.</translation>
+    </message>
+    <message>
+        <source>The step was added to the lesson %1.</source>
+        <translation>단계를 수업 %1에 추가했습니다.</translation>
+    </message>
+    <message>
+        <source>%1: name a handout&apos;s file that ends in .pdf or .html.</source>
+        <translation>%1: 유인물 파일 이름은 .pdf나 .html로 끝나야 합니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5309,16 +5377,8 @@ OpenGL %2
         <translation>창과 파일</translation>
     </message>
     <message>
-        <source>Ctrl + 1, 2, 4, 8</source>
-        <translation>Ctrl + 1, 2, 4, 8</translation>
-    </message>
-    <message>
         <source>number of views</source>
         <translation>뷰 개수</translation>
-    </message>
-    <message>
-        <source>lecture; Page Up and Page Down step, B blanks, Esc leaves</source>
-        <translation>강의, Page Up과 Page Down으로 넘기기, B로 화면 가리기, Esc로 나가기</translation>
     </message>
     <message>
         <source>Ctrl + O, Ctrl + S</source>
@@ -5377,12 +5437,47 @@ OpenGL %2
         <translation>더 느리게, 더 빠르게 날기; 속도는 앞에 있는 것까지의 거리를 따름</translation>
     </message>
     <message>
-        <source>Ctrl + ← and →</source>
-        <translation>Ctrl + ←, →</translation>
+        <source>Alt + ← and →</source>
+        <translation>Alt + ←, →</translation>
     </message>
     <message>
         <source>one pose of the path back, on</source>
         <translation>경로의 이전, 다음 자세</translation>
+    </message>
+    <message>
+        <source>watch from outside, in another view</source>
+        <translation>다른 뷰에서 밖에서 관찰</translation>
+    </message>
+    <message>
+        <source>Ctrl + 1, 2, 4, 6, 8</source>
+        <translation>Ctrl + 1, 2, 4, 6, 8</translation>
+    </message>
+    <message>
+        <source>lecture: R shows figures, P points, B blanks, Esc leaves</source>
+        <translation>강의: R 수치, P 포인터, B 가리기, Esc 나가기</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Page Up, Page Down</translation>
+    </message>
+    <message>
+        <source>in a lesson: step back, step on</source>
+        <translation>수업에서: 앞 단계, 다음 단계</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LectureLegend</name>
+    <message>
+        <source>missed pixels</source>
+        <translation>놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>pixels nearer than the truth</source>
+        <translation>참값보다 가까운 픽셀</translation>
+    </message>
+    <message>
+        <source>pixels that differ</source>
+        <translation>다른 픽셀</translation>
     </message>
 </context>
 <context>
@@ -5419,6 +5514,15 @@ OpenGL %2
     <message>
         <source>Software OpenGL</source>
         <translation>소프트웨어 OpenGL</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step of a lesson, number of steps</comment>
+        <translation>%2단계 중 %1</translation>
+    </message>
+    <message>
+        <source>How fast, and what is lost? (R)</source>
+        <translation>얼마나 빠르고, 무엇을 잃었나? (R)</translation>
     </message>
 </context>
 <context>
@@ -5468,6 +5572,74 @@ OpenGL %2
     <message>
         <source>Over each picture: speed, same sides drawn · triangles submitted · pixels missed</source>
         <translation>각 그림 위: 속도(같은 면) · 제출한 삼각형 · 놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
+        <comment>a link in the text</comment>
+        <translation>다음: %1수업 1%2로 시작하거나, 그림을 끌어 장면을 돌려 보십시오.</translation>
+    </message>
+    <message>
+        <source>Triangles of view %1:</source>
+        <translation>뷰 %1의 삼각형:</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LessonBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step of a lesson, number of steps</comment>
+        <translation>%2단계 중 %1</translation>
+    </message>
+    <message>
+        <source>One step back (Page Up)</source>
+        <translation>한 단계 뒤로 (Page Up)</translation>
+    </message>
+    <message>
+        <source>One step on (Page Down)</source>
+        <translation>한 단계 다음으로 (Page Down)</translation>
+    </message>
+    <message>
+        <source>Leave the lesson: what is shown stays</source>
+        <translation>수업을 나갑니다. 보이는 것은 그대로 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LessonCommands</name>
+    <message>
+        <source>Open a lesson</source>
+        <translation>수업 열기</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>수업</translation>
+    </message>
+    <message>
+        <source>Add as step</source>
+        <translation>단계로 추가</translation>
+    </message>
+    <message>
+        <source>What is said at this step, in one sentence:</source>
+        <translation>이 단계에서 할 말, 한 문장으로:</translation>
+    </message>
+    <message>
+        <source>The lesson to which the step is added</source>
+        <translation>단계를 추가할 수업</translation>
+    </message>
+    <message>
+        <source>Save a handout of the lesson</source>
+        <translation>수업 유인물 저장</translation>
+    </message>
+    <message>
+        <source>Handouts</source>
+        <translation>유인물</translation>
+    </message>
+    <message>
+        <source>The steps are shown one after the other…</source>
+        <translation>단계를 차례로 보여 주는 중…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
     </message>
 </context>
 <context>
@@ -5952,16 +6124,16 @@ OpenGL %2
         <translation>이전 자세</translation>
     </message>
     <message>
-        <source>One pose back (Ctrl+Left)</source>
-        <translation>이전 자세 (Ctrl+Left)</translation>
+        <source>One pose back (Alt+Left)</source>
+        <translation>이전 자세 (Alt+Left)</translation>
     </message>
     <message>
         <source>One pose on</source>
         <translation>다음 자세</translation>
     </message>
     <message>
-        <source>One pose on (Ctrl+Right)</source>
-        <translation>다음 자세 (Ctrl+Right)</translation>
+        <source>One pose on (Alt+Right)</source>
+        <translation>다음 자세 (Alt+Right)</translation>
     </message>
     <message>
         <source>Begin here</source>
@@ -6078,6 +6250,10 @@ OpenGL %2
     <message>
         <source>Legend</source>
         <translation>범례</translation>
+    </message>
+    <message>
+        <source>Map of directions</source>
+        <translation>방향 맵</translation>
     </message>
 </context>
 <context>
@@ -6236,6 +6412,35 @@ OpenGL %2
         <source>in %1</source>
         <comment>a plane that divides space, in which a polygon lies</comment>
         <translation>%1 안</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PresenterPage</name>
+    <message>
+        <source>%1 · %2 since the beginning</source>
+        <comment>time of day, duration</comment>
+        <translation>%1 · 시작한 지 %2</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>지금</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>다음</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step of a lesson, number of steps</comment>
+        <translation>%2단계 중 %1</translation>
+    </message>
+    <message>
+        <source>The lecture shows the views. Page Down goes on, R shows the figures, B blanks the screen, P points.</source>
+        <translation>강의 화면에 뷰가 나옵니다. Page Down은 다음, R은 수치, B는 화면 가리기, P는 포인터입니다.</translation>
+    </message>
+    <message>
+        <source>This is the last step.</source>
+        <translation>마지막 단계입니다.</translation>
     </message>
 </context>
 <context>
@@ -7876,6 +8081,90 @@ sides [95 %]</source>
     <message>
         <source>One pose bac&amp;k</source>
         <translation>이전 자세(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>수업(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a lesson…</source>
+        <translation>수업 열기(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a lesson&apos;s file</source>
+        <translation>수업 파일을 엽니다</translation>
+    </message>
+    <message>
+        <source>&amp;Add as step…</source>
+        <translation>단계로 추가(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Add what the window shows to a lesson of your own</source>
+        <translation>창이 보여 주는 것을 자신의 수업에 추가합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Handout…</source>
+        <translation>유인물(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Save all steps of the lesson as a PDF or HTML file: picture, sentence and figures</source>
+        <translation>수업의 모든 단계를 그림, 문장, 수치와 함께 PDF나 HTML 파일로 저장합니다</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>다음 단계</translation>
+    </message>
+    <message>
+        <source>Go on to the lesson&apos;s next step</source>
+        <translation>수업의 다음 단계로 갑니다</translation>
+    </message>
+    <message>
+        <source>Step before</source>
+        <translation>앞 단계</translation>
+    </message>
+    <message>
+        <source>Go back to the lesson&apos;s step before</source>
+        <translation>수업의 앞 단계로 돌아갑니다</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>첫 단계</translation>
+    </message>
+    <message>
+        <source>Go to the lesson&apos;s first step</source>
+        <translation>수업의 첫 단계로 갑니다</translation>
+    </message>
+    <message>
+        <source>Last step</source>
+        <translation>마지막 단계</translation>
+    </message>
+    <message>
+        <source>Go to the lesson&apos;s last step</source>
+        <translation>수업의 마지막 단계로 갑니다</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>수업 나가기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Leave the lesson: what is shown stays</source>
+        <translation>수업을 나갑니다. 보이는 것은 그대로 있습니다</translation>
+    </message>
+    <message>
+        <source>&amp;6 views</source>
+        <translation>뷰 6개(&amp;6)</translation>
+    </message>
+    <message>
+        <source>Compare six views: three columns</source>
+        <translation>뷰 여섯 개를 세 열로 비교합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Watch from outside</source>
+        <translation>밖에서 관찰(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Another view shows from outside what the active view culls; again: it is linked</source>
+        <translation>다른 뷰가 활성 뷰의 컬링을 밖에서 보여 줍니다. 다시 누르면 연결됩니다</translation>
     </message>
 </context>
 </TS>

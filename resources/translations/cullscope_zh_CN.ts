@@ -255,6 +255,10 @@
         <source>Picture</source>
         <translation>图像</translation>
     </message>
+    <message>
+        <source>Below the picture</source>
+        <translation>图像下方</translation>
+    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -1168,10 +1172,6 @@
     <message>
         <source>a view can watch only another one that is no observer itself.</source>
         <translation>视图只能观察另一个本身不是观察者的视图。</translation>
-    </message>
-    <message>
-        <source>there are 1, 2, 4 or 8 views.</source>
-        <translation>视图数为 1、2、4 或 8。</translation>
     </message>
     <message>
         <source>the near distance must be above 0.</source>
@@ -4865,6 +4865,74 @@
         <source>baseline, same sides</source>
         <translation>基线，相同面</translation>
     </message>
+    <message>
+        <source>There is no lesson &quot;%1&quot;: name a lesson&apos;s file, or one of %2.</source>
+        <translation>没有课程“%1”：请指定课程文件，或其中之一：%2。</translation>
+    </message>
+    <message>
+        <source>%1 is no lesson that can be read: it has more than %2 bytes.</source>
+        <translation>%1 不是可读取的课程：它超过 %2 字节。</translation>
+    </message>
+    <message>
+        <source>%1: a lesson needs a title and at least one line &quot;step&quot;.</source>
+        <translation>%1：课程需要标题和至少一行“step”。</translation>
+    </message>
+    <message>
+        <source>%1: the line is no UTF-8: save the file as UTF-8.</source>
+        <translation>%1：该行不是 UTF-8：请以 UTF-8 保存文件。</translation>
+    </message>
+    <message>
+        <source>%1: a lesson has at most %2 steps.</source>
+        <translation>%1：一课最多有 %2 步。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; is no language: write one of %3 before the sentence.</source>
+        <translation>%1：“%2”不是语言：请在句子前写 %3 之一。</translation>
+    </message>
+    <message>
+        <source>%1: the sentence is missing.</source>
+        <translation>%1：缺少句子。</translation>
+    </message>
+    <message>
+        <source>%1: there is a sentence in &quot;%2&quot; already.</source>
+        <translation>%1：已有“%2”的句子。</translation>
+    </message>
+    <message>
+        <source>%1: the value has too many brackets.</source>
+        <translation>%1：值的括号太多。</translation>
+    </message>
+    <message>
+        <source>%1: write a field of a session and its value, such as &quot;A.role observer&quot;.</source>
+        <translation>%1：请写会话的字段和值，例如“A.role observer”。</translation>
+    </message>
+    <message>
+        <source>%1: write &quot;home&quot;, six numbers (where the camera stands and where it looks), or a camera path and the number of a pose from 0, such as &quot;case-1 3&quot;.</source>
+        <translation>%1：请写“home”、六个数（相机的位置和注视点），或相机路径和从 0 开始的姿态编号，例如“case-1 3”。</translation>
+    </message>
+    <message>
+        <source>%1: a session has no field &quot;%2&quot; here.</source>
+        <translation>%1：会话在此处没有字段“%2”。</translation>
+    </message>
+    <message>
+        <source>%1: the step has no sentence: add a line &quot;say&quot;.</source>
+        <translation>%1：该步没有句子：请添加一行“say”。</translation>
+    </message>
+    <message>
+        <source>The camera path %1 has no pose %2 here: its last one is %3.</source>
+        <translation>相机路径 %1 在此没有姿态 %2：最后一个是 %3。</translation>
+    </message>
+    <message>
+        <source>there are 1, 2, 4, 6 or 8 views.</source>
+        <translation>视图数为 1、2、4、6 或 8。</translation>
+    </message>
+    <message>
+        <source>The step was added to the lesson %1.</source>
+        <translation>已把该步添加到课程 %1。</translation>
+    </message>
+    <message>
+        <source>%1: name a handout&apos;s file that ends in .pdf or .html.</source>
+        <translation>%1：讲义文件名应以 .pdf 或 .html 结尾。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5309,16 +5377,8 @@ OpenGL %2
         <translation>窗口与文件</translation>
     </message>
     <message>
-        <source>Ctrl + 1, 2, 4, 8</source>
-        <translation>Ctrl + 1, 2, 4, 8</translation>
-    </message>
-    <message>
         <source>number of views</source>
         <translation>视图数量</translation>
-    </message>
-    <message>
-        <source>lecture; Page Up and Page Down step, B blanks, Esc leaves</source>
-        <translation>讲课；Page Up 与 Page Down 翻页，B 黑屏，Esc 退出</translation>
     </message>
     <message>
         <source>Ctrl + O, Ctrl + S</source>
@@ -5377,12 +5437,47 @@ OpenGL %2
         <translation>飞得更慢、更快；速度随前方物体的距离变化</translation>
     </message>
     <message>
-        <source>Ctrl + ← and →</source>
-        <translation>Ctrl + ← 和 →</translation>
+        <source>Alt + ← and →</source>
+        <translation>Alt + ← 和 →</translation>
     </message>
     <message>
         <source>one pose of the path back, on</source>
         <translation>路径的上一个、下一个姿态</translation>
+    </message>
+    <message>
+        <source>watch from outside, in another view</source>
+        <translation>在另一视图中从外部观察</translation>
+    </message>
+    <message>
+        <source>Ctrl + 1, 2, 4, 6, 8</source>
+        <translation>Ctrl + 1, 2, 4, 6, 8</translation>
+    </message>
+    <message>
+        <source>lecture: R shows figures, P points, B blanks, Esc leaves</source>
+        <translation>讲课：R 显示数值，P 指示，B 黑屏，Esc 退出</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down</source>
+        <translation>Page Up, Page Down</translation>
+    </message>
+    <message>
+        <source>in a lesson: step back, step on</source>
+        <translation>在课程中：上一步，下一步</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LectureLegend</name>
+    <message>
+        <source>missed pixels</source>
+        <translation>丢失的像素</translation>
+    </message>
+    <message>
+        <source>pixels nearer than the truth</source>
+        <translation>比真值更近的像素</translation>
+    </message>
+    <message>
+        <source>pixels that differ</source>
+        <translation>不同的像素</translation>
     </message>
 </context>
 <context>
@@ -5419,6 +5514,15 @@ OpenGL %2
     <message>
         <source>Software OpenGL</source>
         <translation>软件 OpenGL</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step of a lesson, number of steps</comment>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>How fast, and what is lost? (R)</source>
+        <translation>有多快，丢失了什么？(R)</translation>
     </message>
 </context>
 <context>
@@ -5468,6 +5572,74 @@ OpenGL %2
     <message>
         <source>Over each picture: speed, same sides drawn · triangles submitted · pixels missed</source>
         <translation>每幅图像上方：速度（相同面） · 提交的三角形 · 丢失的像素</translation>
+    </message>
+    <message>
+        <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
+        <comment>a link in the text</comment>
+        <translation>下一步：从%1第 1 课%2开始，或在图像中拖动以转动场景。</translation>
+    </message>
+    <message>
+        <source>Triangles of view %1:</source>
+        <translation>视图 %1 的三角形：</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LessonBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step of a lesson, number of steps</comment>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>One step back (Page Up)</source>
+        <translation>上一步 (Page Up)</translation>
+    </message>
+    <message>
+        <source>One step on (Page Down)</source>
+        <translation>下一步 (Page Down)</translation>
+    </message>
+    <message>
+        <source>Leave the lesson: what is shown stays</source>
+        <translation>退出课程：所示内容保留</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LessonCommands</name>
+    <message>
+        <source>Open a lesson</source>
+        <translation>打开课程</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>课程</translation>
+    </message>
+    <message>
+        <source>Add as step</source>
+        <translation>添加为一步</translation>
+    </message>
+    <message>
+        <source>What is said at this step, in one sentence:</source>
+        <translation>这一步要说的话，一句：</translation>
+    </message>
+    <message>
+        <source>The lesson to which the step is added</source>
+        <translation>要添加到的课程</translation>
+    </message>
+    <message>
+        <source>Save a handout of the lesson</source>
+        <translation>保存课程讲义</translation>
+    </message>
+    <message>
+        <source>Handouts</source>
+        <translation>讲义</translation>
+    </message>
+    <message>
+        <source>The steps are shown one after the other…</source>
+        <translation>正在逐步显示……</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
     </message>
 </context>
 <context>
@@ -5952,16 +6124,16 @@ OpenGL %2
         <translation>上一个姿态</translation>
     </message>
     <message>
-        <source>One pose back (Ctrl+Left)</source>
-        <translation>上一个姿态（Ctrl+Left）</translation>
+        <source>One pose back (Alt+Left)</source>
+        <translation>上一个姿态（Alt+Left）</translation>
     </message>
     <message>
         <source>One pose on</source>
         <translation>下一个姿态</translation>
     </message>
     <message>
-        <source>One pose on (Ctrl+Right)</source>
-        <translation>下一个姿态（Ctrl+Right）</translation>
+        <source>One pose on (Alt+Right)</source>
+        <translation>下一个姿态（Alt+Right）</translation>
     </message>
     <message>
         <source>Begin here</source>
@@ -6078,6 +6250,10 @@ OpenGL %2
     <message>
         <source>Legend</source>
         <translation>图例</translation>
+    </message>
+    <message>
+        <source>Map of directions</source>
+        <translation>方向映射图</translation>
     </message>
 </context>
 <context>
@@ -6236,6 +6412,35 @@ OpenGL %2
         <source>in %1</source>
         <comment>a plane that divides space, in which a polygon lies</comment>
         <translation>在 %1 中</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PresenterPage</name>
+    <message>
+        <source>%1 · %2 since the beginning</source>
+        <comment>time of day, duration</comment>
+        <translation>%1 · 已进行 %2</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step of a lesson, number of steps</comment>
+        <translation>第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>The lecture shows the views. Page Down goes on, R shows the figures, B blanks the screen, P points.</source>
+        <translation>讲课窗口显示视图。Page Down 继续，R 显示数值，B 黑屏，P 指示。</translation>
+    </message>
+    <message>
+        <source>This is the last step.</source>
+        <translation>这是最后一步。</translation>
     </message>
 </context>
 <context>
@@ -7876,6 +8081,90 @@ sides [95 %]</source>
     <message>
         <source>One pose bac&amp;k</source>
         <translation>上一个姿态(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a lesson…</source>
+        <translation>打开课程(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a lesson&apos;s file</source>
+        <translation>打开课程文件</translation>
+    </message>
+    <message>
+        <source>&amp;Add as step…</source>
+        <translation>添加为一步(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Add what the window shows to a lesson of your own</source>
+        <translation>把窗口所示添加到自己的课程</translation>
+    </message>
+    <message>
+        <source>&amp;Handout…</source>
+        <translation>讲义(&amp;H)…</translation>
+    </message>
+    <message>
+        <source>Save all steps of the lesson as a PDF or HTML file: picture, sentence and figures</source>
+        <translation>把课程的所有步骤存为 PDF 或 HTML 文件：图像、句子和数值</translation>
+    </message>
+    <message>
+        <source>Next step</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Go on to the lesson&apos;s next step</source>
+        <translation>前往课程的下一步</translation>
+    </message>
+    <message>
+        <source>Step before</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Go back to the lesson&apos;s step before</source>
+        <translation>返回课程的上一步</translation>
+    </message>
+    <message>
+        <source>First step</source>
+        <translation>第一步</translation>
+    </message>
+    <message>
+        <source>Go to the lesson&apos;s first step</source>
+        <translation>前往课程的第一步</translation>
+    </message>
+    <message>
+        <source>Last step</source>
+        <translation>最后一步</translation>
+    </message>
+    <message>
+        <source>Go to the lesson&apos;s last step</source>
+        <translation>前往课程的最后一步</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>退出课程(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Leave the lesson: what is shown stays</source>
+        <translation>退出课程：所示内容保留</translation>
+    </message>
+    <message>
+        <source>&amp;6 views</source>
+        <translation>6 个视图(&amp;6)</translation>
+    </message>
+    <message>
+        <source>Compare six views: three columns</source>
+        <translation>比较六个视图：三列</translation>
+    </message>
+    <message>
+        <source>&amp;Watch from outside</source>
+        <translation>从外部观察(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Another view shows from outside what the active view culls; again: it is linked</source>
+        <translation>另一视图从外部显示活动视图的剔除；再按一次则恢复联动</translation>
     </message>
 </context>
 </TS>

@@ -8,6 +8,7 @@ const std::vector<Target>& targets() {
                                               {"generator", generator},
                                               {"hidden_objects", hidden_objects},
                                               {"inner_kernel", inner_kernel},
+                                              {"lesson", lesson},
                                               {"mesh_split", mesh_split},
                                               {"obj", obj},
                                               {"octree", octree},

@@ -208,7 +208,7 @@ TEST(SessionText, whatIsWrongIsSaidWithItsPlace) {
         {"/camera/near", -1.0, "\"camera\": The near distance must be above 0"},
         {"/camera/fovy_rad", 4.0, "\"camera\": The field of view must lie between 0 and 180"},
         {"/chosen_near", 0, "\"chosen_near\": the near distance must be above 0."},
-        {"/view_count", 3, "\"view_count\": there are 1, 2, 4 or 8 views."},
+        {"/view_count", 3, "\"view_count\": there are 1, 2, 4, 6 or 8 views."},
         {"/view_count", 1e300, "\"view_count\" must be a whole number"},
         {"/active_view", 8, "\"active_view\" must be a whole number between 0 and 7."},
         {"/arrangement", nlohmann::json::array(), "\"arrangement\" must be a text"},

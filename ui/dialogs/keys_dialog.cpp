@@ -63,9 +63,10 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                            {tr("Alt + 1 … 4"), tr("go to a kept camera; with Shift: keep this one")},
                            {tr("Ctrl + K"), tr("add this pose to the path")},
                            {tr("Space"), tr("play the path, or pause")},
-                           {tr("Ctrl + ← and →"), tr("one pose of the path back, on")}}};
+                           {tr("Alt + ← and →"), tr("one pose of the path back, on")}}};
     const Section pictures{tr("Pictures"),
                            {{QStringLiteral("F"), tr("freeze culling and fly on")},
+                            {QStringLiteral("O"), tr("watch from outside, in another view")},
                             {QStringLiteral("V"), tr("colours by verdict")},
                             {QStringLiteral("T"), tr("wipe between truth and strategy")},
                             {QStringLiteral("M"), tr("missed and added pixels")},
@@ -73,9 +74,10 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                             {QStringLiteral("L"), tr("loupe")},
                             {QStringLiteral("X"), tr("axes")}}};
     const Section window{tr("Window and files"),
-                         {{tr("Ctrl + 1, 2, 4, 8"), tr("number of views")},
+                         {{tr("Ctrl + 1, 2, 4, 6, 8"), tr("number of views")},
                           {tr("Tab"), tr("next view or panel")},
-                          {QStringLiteral("F5"), tr("lecture; Page Up and Page Down step, B blanks, Esc leaves")},
+                          {QStringLiteral("F5"), tr("lecture: R shows figures, P points, B blanks, Esc leaves")},
+                          {tr("Page Up, Page Down"), tr("in a lesson: step back, step on")},
                           {QStringLiteral("F8"), tr("step through the frame; Page Up and Page Down step")},
                           {QStringLiteral("F9"), tr("question first: name what you expect, then reveal")},
                           {tr("Ctrl + O, Ctrl + S"), tr("open; save the session")},

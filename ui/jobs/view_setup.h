@@ -44,6 +44,7 @@ struct ViewSetup {
     Upload upload = Upload::Vbo;
     ViewLook look;
     Wipe wipe;
+    std::string below;  ///< id of the panel in a strip below the picture; empty: none
     std::string panel;  ///< id of the panel shown in place of the picture; empty: the picture
 
     bool operator==(const ViewSetup&) const = default;

@@ -65,7 +65,13 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
       m_figures(new QLabel(this)),
       m_planes(new PlaneLegend(this)),
       m_next(new QLabel(this)) {
+    m_heading = new QLabel(this);
     m_states = makeStates();
+    m_next->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_next, &QLabel::linkActivated, this, [this] {
+        advance(Progress::Turn);
+        emit lessonRequested();
+    });
     m_figures->setWordWrap(true);
     m_next->setWordWrap(true);
     m_next->setMargin(6);
@@ -75,6 +81,7 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 2, 0, 0);
     layout->setSpacing(3);
+    layout->addWidget(m_heading);
     layout->addWidget(m_states);
     layout->addWidget(makeContrast());
     layout->addWidget(m_planes);
@@ -186,6 +193,12 @@ void LegendPanel::advance(Progress to) {
     refresh();
 }
 
+void LegendPanel::startAnew() {
+    m_progress = Progress::Lesson;
+    m_cameraMoves = 0;
+    refresh();
+}
+
 QString LegendPanel::turnAction() const {
     for (const int view : m_session.shownViews())
         if (const int observed = m_session.culledBy(view); observed != view && m_session.shown(observed))
@@ -196,6 +209,9 @@ QString LegendPanel::turnAction() const {
 QString LegendPanel::nextAction() const {
     if (!m_session.opened()) return tr("Next: open a mesh file, or generate a scene.");
     switch (m_progress) {
+        case Progress::Lesson:
+            return tr("Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.", "a link in the text")
+                .arg(QStringLiteral("<a href=\"lesson\">"), QStringLiteral("</a>"));
         case Progress::Turn:
             return turnAction();
         case Progress::Look:
@@ -228,6 +244,8 @@ void LegendPanel::refresh() {
     }
     // Shown for every colouring: the budget bars under the pictures always have these colours.
     m_states->setVisible(m_session.opened() != nullptr);
+    m_heading->setVisible(m_session.opened() != nullptr);
+    m_heading->setText(tr("Triangles of view %1:").arg(viewLetter(m_session.culledBy(m_session.activeView()))));
     m_states->setAccessibleName(tr("What the colours mean"));
     m_next->setText(nextAction());
     m_planes->retranslate();

@@ -23,14 +23,20 @@ public:
     void showToAudience();
     /// The suggested next action; changes with the user's progress.
     [[nodiscard]] QString nextAction() const;
+    /// Suggests the first action again.
+    void startAnew();
     /// What lines in the contrasting colour mean in the active view; hidden where it has none.
     [[nodiscard]] const QWidget& contrast() const { return *m_contrast; }
+
+signals:
+    /// The user follows the suggestion to begin with the first lesson.
+    void lessonRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Progress { Turn, Look, Pick, Choose, Done };
+    enum class Progress { Lesson, Turn, Look, Pick, Choose, Done };
 
     QWidget* makeStates();
     void placeStates(int rows);
@@ -46,9 +52,10 @@ private:
     [[nodiscard]] QString turnAction() const;
 
     Session& m_session;
-    Progress m_progress = Progress::Turn;
+    Progress m_progress = Progress::Lesson;
     int m_cameraMoves = 0;
     QLabel* m_figures;
+    QLabel* m_heading;  ///< whose triangles the colours count
     QWidget* m_states;
     QGridLayout* m_grid = nullptr;
     std::array<QWidget*, kTriangleStateCount> m_swatches{};

@@ -71,14 +71,14 @@ void MapPanel::layOut() {
 void MapPanel::refresh() {
     const SnapshotReadingPointer reading = shownReading(m_session, m_reader);
     // What a step has in hand is shown with its map: the reading of the step follows.
-    if (reading && !m_map->empty() && m_session.stepOf(m_session.activeView()) && !m_reader.fresh()) return;
+    if (reading && !m_map->empty() && m_session.stepOf(m_reader.view()) && !m_reader.fresh()) return;
     showMap(reading && reading->map ? ShownMap{m_session.scene(), reading->map} : ShownMap{});
 }
 
 void MapPanel::showMap(const ShownMap& shown) {
     m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown), partOf(shown), inHand(shown)});
     if (!shown.empty()) offerColourings(*shown.map);
-    m_choices->setVisible(!shown.empty());
+    m_choices->setVisible(!shown.empty() && !m_brief);
     m_map->setVisible(!shown.empty());
     m_sentence->setVisible(shown.empty());
     // The Tab key cannot leave a panel whose focus proxy is hidden.
@@ -99,6 +99,18 @@ void MapPanel::offerColourings(const CellMap& map) {
     m_colouring->setCurrentIndex(m_colouring->findData(QString::fromStdString(m_map->colouring())));
 }
 
+void MapPanel::setBrief() {
+    m_brief = true;
+    m_choices->hide();
+    m_map->setBrief();
+}
+
+void MapPanel::setColouring(const std::string& id) {
+    const int choice = m_colouring->findData(QString::fromStdString(id));
+    if (choice >= 0) m_colouring->setCurrentIndex(choice);
+    m_map->setColouring(id);
+}
+
 void MapPanel::showSentence() {
     const QString words = absenceWords(absence(m_session, m_reader));
     QStringList maps;
@@ -108,15 +120,15 @@ void MapPanel::showSentence() {
 }
 
 std::shared_ptr<const TriangleStates> MapPanel::truth() const {
-    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const ViewMetrics& figures = m_session.figures(m_reader.view());
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
-    return known && m_reader.fresh() && !m_session.stepOf(m_session.activeView()) && figures.states->againstTruth ? figures.states
-                                                                                                                  : nullptr;
+    return known && m_reader.fresh() && !m_session.stepOf(m_reader.view()) && figures.states->againstTruth ? figures.states
+                                                                                                           : nullptr;
 }
 
 std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
-    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    const ShownStep* step = m_session.stepOf(m_reader.view());
     if (!shown.empty() && step && step->shape.triangle && step->shape.object == shown.map->object)
         return uint32_t(*step->shape.triangle - m_session.scene()->firstTriangle(shown.map->object));
     const std::optional<Pick>& pick = m_session.pick();
@@ -125,7 +137,7 @@ std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
 }
 
 std::vector<std::vector<Vec2>> MapPanel::inHand(const ShownMap& shown) const {
-    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    const ShownStep* step = m_session.stepOf(m_reader.view());
     const bool has = !shown.empty() && step && step->shape.object == shown.map->object;
     return has ? step->shape.mapLines : std::vector<std::vector<Vec2>>();
 }

@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// The map of directions that the active view's strategy declares: that of the picked object, else of the one that the strategy
-/// shows by itself. A click on a cell picks one of its triangles, and the picked triangle's cells are marked.
+/// The map of directions that the strategy of the reader's view declares: that of the picked object, else of the one that the
+/// strategy shows by itself. A click on a cell picks one of its triangles, and the picked triangle's cells are marked.
 class MapPanel : public QWidget {
     Q_OBJECT
 
@@ -27,6 +27,10 @@ public:
     /// Picks a triangle of a cell of the shown map: the farthest-out one that the cell owns. If one of the cell's triangles is
     /// picked already, picks the next nearer one; triangles that only touch the cell come after those that it owns.
     void pickIn(uint32_t cell);
+    /// With one line over it and no legend, for a strip under a picture.
+    void setBrief();
+    /// Colours the map by one of its colourings; an unknown one changes nothing.
+    void setColouring(const std::string& id);
     /// Marks a part, from 1, on maps that have it; none: marks no part.
     void setPart(const std::optional<uint32_t>& part);
 
@@ -56,6 +60,7 @@ private:
     MapWidget* m_map;
     PictureMenu* m_pictures;
     std::optional<uint32_t> m_part;
+    bool m_brief = false;
 };
 
 }  // namespace cullscope::ui

@@ -124,8 +124,8 @@ void PathBar::retranslate() {
         m_buttons[button]->setToolTip(tip);
         m_buttons[button]->setAccessibleName(text);
     };
-    say(Back, tr("One pose back"), tr("One pose back (Ctrl+Left)"));
-    say(Forward, tr("One pose on"), tr("One pose on (Ctrl+Right)"));
+    say(Back, tr("One pose back"), tr("One pose back (Alt+Left)"));
+    say(Forward, tr("One pose on"), tr("One pose on (Alt+Right)"));
     say(Begin, tr("Begin here"), tr("Leave out the poses before this one"));
     say(End, tr("End here"), tr("Leave out the poses after this one"));
     say(Smooth, tr("Smooth"), tr("Take the jerks of the hand out: each pose becomes the mean of itself and its neighbours"));

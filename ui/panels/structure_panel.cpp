@@ -1,8 +1,12 @@
 #include "ui/panels/structure_panel.h"
 
 #include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
 #include <QScopedValueRollback>
+#include <QStyledItemDelegate>
 #include <QTabBar>
+#include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -11,6 +15,26 @@
 #include "ui/panels/shown_strategy.h"
 
 namespace cullscope::ui {
+
+namespace {
+
+/// Paints all items in letters as large as the view's own.
+class LargeLetters : public QStyledItemDelegate {
+public:
+    explicit LargeLetters(QWidget* view) : QStyledItemDelegate(view), m_view(view) {}
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->font.setPixelSize(QFontInfo(m_view->font()).pixelSize());
+        option->fontMetrics = QFontMetrics(option->font);
+    }
+
+private:
+    QWidget* m_view;
+};
+
+}  // namespace
 
 StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent), m_session(session), m_reader(reader), m_tabs(new QTabWidget) {
@@ -25,8 +49,12 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(4);
     layout->addWidget(m_map);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_tree, m_listing, m_bars, m_why, m_losses})
+    const std::array<std::pair<QWidget*, const char*>, 5> pages{
+        {{m_tree, "tree"}, {m_listing, "listing"}, {m_bars, "counts"}, {m_why, "why"}, {m_losses, "losses"}}};
+    for (const auto& [page, id] : pages) {
+        page->setObjectName(QLatin1String(id));
         m_tabs->addTab(page, QString());
+    }
     m_tabs->setCurrentWidget(m_tree);
     m_tabs->setDocumentMode(true);
     layout->addWidget(m_tabs, 1);
@@ -40,6 +68,33 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     followStrategy();
     reader.readFor(this);
     retranslate();
+}
+
+void StructurePanel::showToAudience() {
+    m_audience = true;
+    m_map->setBrief();
+    // The lines alone: a stepped frame has its sentence under the pictures.
+    for (QLabel* words : m_listing->findChildren<QLabel*>()) words->hide();
+    for (QTableView* lines : m_listing->findChildren<QTableView*>()) {
+        lines->horizontalHeader()->hide();
+        lines->setItemDelegate(new LargeLetters(lines));
+        connect(&m_reader, &SnapshotReader::changed, lines, [this, lines] {
+            const SnapshotReadingPointer& reading = m_reader.reading();
+            if (reading && reading->listing && reading->listing->current > 0)
+                lines->scrollTo(lines->model()->index(int(reading->listing->current) - 1, 0),
+                                QAbstractItemView::PositionAtCenter);
+        });
+    }
+    followStrategy();
+}
+
+void StructurePanel::setAudienceMapHeight(int height) { m_map->setFixedHeight(height); }
+
+std::string StructurePanel::page() const { return m_tabs->currentWidget()->objectName().toStdString(); }
+
+void StructurePanel::showPage(const std::string& id) {
+    for (int tab = 0; tab < m_tabs->count(); ++tab)
+        if (m_tabs->isTabVisible(tab) && m_tabs->widget(tab)->objectName().toStdString() == id) m_tabs->setCurrentIndex(tab);
 }
 
 void StructurePanel::showSteps() {
@@ -93,6 +148,7 @@ void StructurePanel::setShows(const std::vector<Show>& shows) {
     };
     showTab(m_listing, has(Show::Kind::Listing));
     showTab(m_bars, has(Show::Kind::Bars));
+    m_map->setVisible(!m_audience || has(Show::Kind::DirectionMap));
     markPart();
 }
 
@@ -100,6 +156,7 @@ CurvePanel* StructurePanel::curveOf(const Show& show) {
     CurvePanel*& curve = m_madeCurves[show.id];
     if (curve) return curve;
     curve = new CurvePanel(m_session, m_reader, show, m_tabs);
+    curve->setObjectName(QString::fromStdString(show.id));
     connect(curve, &CurvePanel::partChanged, this, &StructurePanel::markPart);
     return curve;
 }

@@ -36,6 +36,12 @@ public:
     void setShows(const std::vector<Show>& shows);
     /// Shows the listing, whose lines a step marks; once another tab was chosen during steps, nothing happens.
     void showSteps();
+    /// For a lecture: the map in a low strip without a legend, and only where the strategy has one.
+    void showToAudience();
+    void setAudienceMapHeight(int height);
+    /// The id of the open tab, and opens the one with an id, where the strategy has it.
+    [[nodiscard]] std::string page() const;
+    void showPage(const std::string& id);
     /// Shows the tab with the decisions on the picked triangle.
     void showWhy() { m_tabs->setCurrentWidget(m_why); }
 
@@ -68,6 +74,7 @@ private:
     WhyPanel* m_why;
     LossPanel* m_losses;
     QWidget* m_left = nullptr;  ///< the page that was open when its tab went; null: none, or another was chosen since
+    bool m_audience = false;
     bool m_chosenWhileStepping = false;
     bool m_showing = false;  ///< tabs come and go by the strategy, and the user chooses none
 };

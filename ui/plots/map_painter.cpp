@@ -44,10 +44,12 @@ QRectF inner(const QRectF& place) { return place.adjusted(kMapMargin, 0, -kMapMa
 
 double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) const {
     const double across = width - 2 * kMapMargin;
-    return std::ceil(2 * lineHeight(metrics) + MapLayout::heightFor(across, metrics) + heightBelow(across, metrics) + kMapMargin);
+    return std::ceil(captionLines() * lineHeight(metrics) + MapLayout::heightFor(across, metrics) + heightBelow(across, metrics) +
+                     kMapMargin);
 }
 
 double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const {
+    if (m_brief) return 0.0;
     const bool states = m_cells.byState();
     double most = 0.0;
     if (!contents().shown.empty())
@@ -61,7 +63,7 @@ double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const
 }
 
 double MapPainter::wordsHeight(const QFontMetricsF& metrics) const {
-    return contents().shown.empty() ? 0.0 : contents().shown.map->lineRoom * lineHeight(metrics);
+    return m_brief || contents().shown.empty() ? 0.0 : contents().shown.map->lineRoom * lineHeight(metrics);
 }
 
 std::vector<MapLegend::Entry> MapPainter::statesShown(const QPalette& palette) const {
@@ -92,7 +94,8 @@ MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palet
 
 MapLayout MapPainter::layout(const QRectF& place, const QFontMetricsF& metrics) const {
     const QRectF within = inner(place);
-    return {within.adjusted(0, 2 * lineHeight(metrics), 0, -heightBelow(within.width(), metrics) - kMapMargin), metrics};
+    return {within.adjusted(0, captionLines() * lineHeight(metrics), 0, -heightBelow(within.width(), metrics) - kMapMargin),
+            metrics};
 }
 
 void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& palette,
@@ -112,6 +115,7 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
     if (!contents().inHand.empty()) overlay.paintInHand(contents().inHand);
     if (cursor) overlay.paintCursor(shown.grid(), *cursor);
     paintAxes(painter, layout.area, colours);
+    if (m_brief) return painter.restore();
     QRectF below = inner(place);
     below.setTop(layout.area.bottom() + metrics.height() + kMapMargin);
     if (!m_cells.byState()) {
@@ -130,8 +134,10 @@ void MapPainter::paintCaption(QPainter& painter, const QRectF& place, const MapC
     // By its base line: glyphs of another font, as of Korean and Chinese, would move the line down in a rectangle, which cuts it.
     const auto write = [&](const QString& words) { painter.drawText(line.topLeft() + QPointF(0.0, metrics.ascent()), words); };
     painter.setPen(colours.text);
-    write(metrics.elidedText(translated(contents().shown.map->objectWords), Qt::ElideMiddle, line.width()));
-    line.translate(0, lineHeight(metrics));
+    if (!m_brief) {
+        write(metrics.elidedText(translated(contents().shown.map->objectWords), Qt::ElideMiddle, line.width()));
+        line.translate(0, lineHeight(metrics));
+    }
     QFont bold = painter.font();
     const QFont plain = bold;
     bold.setBold(true);
@@ -161,11 +167,15 @@ void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColou
     painter.drawRect(area);
     const auto degrees = [](int value) { return QStringLiteral("%1°").arg(value); };
     constexpr double kTick = 3.0;
+    // In large letters beside a small map there is room for the ends alone.
+    int across = 90, down = 90;
+    while (across < 360 && area.width() * across / 360.0 < 1.2 * metrics.horizontalAdvance(degrees(360))) across *= 2;
+    if (area.height() / 2 < 1.1 * metrics.height()) down = 180;
     for (int phi = 0; phi <= 360; phi += 45) {
         const double x = area.left() + phi / 360.0 * area.width();
         painter.setPen(colours.faintText);
         painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kTick));
-        if (phi % 90 != 0) continue;
+        if (phi % across != 0) continue;
         painter.setPen(colours.text);
         painter.drawText(QRectF(x - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignHCenter | Qt::AlignTop,
                          degrees(phi));
@@ -174,15 +184,16 @@ void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColou
         const double y = area.top() + theta / 180.0 * area.height();
         painter.setPen(colours.faintText);
         painter.drawLine(QPointF(area.left() - kTick, y), QPointF(area.left(), y));
-        if (theta % 90 != 0) continue;
+        if (theta % down != 0) continue;
         painter.setPen(colours.text);
         painter.drawText(QRectF(area.left() - 66.0, y - metrics.height() / 2, 61.0, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, degrees(theta));
     }
-    const double step = area.width() / 8, down = area.height() / 4;
+    if (across > 90 || down > 90) return;
+    const double step = area.width() / 8, quarter = area.height() / 4;
     painter.drawText(QRectF(area.left() + 5 * step - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignCenter,
                      QStringLiteral("φ"));
-    painter.drawText(QRectF(area.left() - 66.0, area.top() + 3 * down - metrics.height() / 2, 61.0, metrics.height()),
+    painter.drawText(QRectF(area.left() - 66.0, area.top() + 3 * quarter - metrics.height() / 2, 61.0, metrics.height()),
                      Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("θ"));
 }
 

@@ -13,6 +13,9 @@ public:
     void setContents(const MapContents& contents) { m_cells.setContents(contents); }
     [[nodiscard]] const MapContents& contents() const { return m_cells.contents(); }
     bool setColouring(const std::string& colouring) { return m_cells.setColouring(colouring); }
+    /// Only what was decided stands over the map, and nothing but its axes below.
+    void setBrief() { m_brief = true; }
+    [[nodiscard]] bool brief() const { return m_brief; }
     /// The id of the shown colouring; empty: there is none.
     [[nodiscard]] std::string colouring() const { return m_cells.colouring() ? m_cells.colouring()->id : std::string(); }
 
@@ -40,7 +43,10 @@ private:
     [[nodiscard]] double heightBelow(double width, const QFontMetricsF& metrics) const;
     [[nodiscard]] std::vector<MapLegend::Entry> statesShown(const QPalette& palette) const;
 
+    [[nodiscard]] int captionLines() const { return m_brief ? 1 : 2; }
+
     CellPicture m_cells;
+    bool m_brief = false;
 };
 
 }  // namespace cullscope::ui

@@ -41,6 +41,11 @@ void MapWidget::setColouring(const std::string& colouring) {
     if (m_painter.setColouring(colouring)) contentsChanged();
 }
 
+void MapWidget::setBrief() {
+    m_painter.setBrief();
+    contentsChanged();
+}
+
 MapLayout MapWidget::layoutOfMap() const { return m_painter.layout(rect(), QFontMetricsF(font())); }
 
 QString MapWidget::title() const { return empty() ? QString() : translated(m_painter.contents().shown.map->title); }
@@ -57,6 +62,7 @@ void MapWidget::paintEvent(QPaintEvent*) {
 }
 
 int MapWidget::neededHeight(int width) const {
+    if (m_painter.brief()) return 0;
     // In a wide and low panel the map must not displace all other widgets: there its height limits its width.
     return int(m_painter.neededHeight(std::min(width, kWidestMap), QFontMetricsF(font())));
 }

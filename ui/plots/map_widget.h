@@ -16,6 +16,8 @@ public:
     void setContents(const MapContents& contents);
     [[nodiscard]] const MapContents& contents() const { return m_painter.contents(); }
     void setColouring(const std::string& colouring);
+    /// One line over the map, and nothing but its axes below.
+    void setBrief();
     /// The id of the shown colouring; empty: there is none.
     [[nodiscard]] std::string colouring() const { return m_painter.colouring(); }
     /// The cell of the keyboard cursor; none: it was not moved yet.

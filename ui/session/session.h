@@ -66,7 +66,7 @@ class Session : public QObject {
 
 public:
     static constexpr int kMostViews = 8;
-    static constexpr std::array kViewCounts{1, 2, 4, 8};
+    static constexpr std::array kViewCounts{1, 2, 4, 6, 8};
 
     struct Options {
         SceneSourceOptions sceneSource;

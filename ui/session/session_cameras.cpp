@@ -58,13 +58,13 @@ void Session::placeObservers(const std::vector<int>& views) {
     for (const int view : views) observe(view, setup(view).observed);
 }
 
-/// While the user has not moved the cameras, adapts them to the window, so that the scene keeps filling it.
+/// While the user has not moved a camera, adapts it to the window, so that the scene keeps filling it.
 void Session::followWindow(int view) {
-    if (!m_opened || setup(view).size || !(m_camera == m_home)) return;
+    if (!m_opened || setup(view).size) return;
     std::vector<int> following;
     for (const int observer : observers())
         if (setup(observer).viewing == m_views[size_t(observer)].firstWatch) following.push_back(observer);
-    if (view == homeView()) {
+    if (m_camera == m_home && view == homeView()) {
         setCamera(homeCamera(*m_opened->scene, m_up, aspect(view)));
         m_home = m_camera;
     } else {

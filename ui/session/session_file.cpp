@@ -51,6 +51,9 @@ Json jsonOfState(const SessionState& state, const std::string& scene) {
     json["arrangement"] = state.arrangement;
     json["view_count"] = state.viewCount;
     json["active_view"] = state.activeView;
+    if (state.place) json["place"] = {{"entry", state.place->entries}, {"of", state.place->whole}};
+    if (!state.inside.page.empty()) json["inside"]["page"] = state.inside.page;
+    if (!state.inside.map.empty()) json["inside"]["map"] = state.inside.map;
     if (state.style) json["colours"] = jsonOf(*state.style);
     for (const SessionState::View& view : state.views) json["views"].push_back(jsonOf(view));
     for (const std::optional<Camera>& place : state.bookmarks) json["bookmarks"].push_back(place ? jsonOf(*place) : Json());
@@ -132,8 +135,18 @@ void readWindow(const JsonField& json, SessionState& state) {
         state.viewCount = count->wholeNumber(1, Session::kMostViews);
         const auto& known = Session::kViewCounts;
         if (std::find(known.begin(), known.end(), state.viewCount) == known.end())
-            count->checked([] { throwInput(QT_TRANSLATE_NOOP("core", "there are 1, 2, 4 or 8 views.")); });
+            count->checked([] { throwInput(QT_TRANSLATE_NOOP("core", "there are 1, 2, 4, 6 or 8 views.")); });
     }
+}
+
+LogPlace readPlace(const JsonField& place) {
+    const int whole = place.at("of").wholeNumber(1, std::numeric_limits<int>::max());
+    return {size_t(place.at("entry").wholeNumber(0, whole)), size_t(whole)};
+}
+
+void readInside(const JsonField& inside, SessionState& state) {
+    if (const auto page = inside.find("page")) state.inside.page = page->text();
+    if (const auto map = inside.find("map")) state.inside.map = map->text();
 }
 
 SessionState readState(const JsonField& json, const std::filesystem::path& file) {
@@ -149,6 +162,8 @@ SessionState readState(const JsonField& json, const std::filesystem::path& file)
             near->checked([] { throwInput(QT_TRANSLATE_NOOP("core", "the near distance must be above 0.")); });
     }
     readWindow(json, state);
+    if (const auto place = json.find("place")) state.place = readPlace(*place);
+    if (const auto inside = json.find("inside")) readInside(*inside, state);
     if (const auto colours = json.find("colours")) state.style = readStyle(*colours);
     readViews(json.at("views"), state);
     if (const auto bookmarks = json.find("bookmarks")) readBookmarks(*bookmarks, state.bookmarks);
@@ -173,6 +188,10 @@ std::string stateToText(const SessionState& state, const std::filesystem::path& 
 std::optional<SessionState> stateFromText(std::string_view text, const std::filesystem::path& file) {
     const nlohmann::json json = parsed(text, file.string());
     if (!isSession(json)) return std::nullopt;
+    return stateFromJson(json, file);
+}
+
+SessionState stateFromJson(const nlohmann::json& json, const std::filesystem::path& file) {
     return readState(JsonField(json, file.string()), file);
 }
 

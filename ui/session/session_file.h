@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ inline constexpr const char* kSessionExtension = "cullscope";
 /// Reads such a text; `file` is where it was found. None: it is JSON, but not a session. Throws Error(Input) naming file and
 /// field if it is not JSON, or a session with an invalid value. Unknown fields are ignored.
 [[nodiscard]] std::optional<SessionState> stateFromText(std::string_view text, const std::filesystem::path& file);
+
+/// The same of a text that was parsed already, which must be a session.
+[[nodiscard]] SessionState stateFromJson(const nlohmann::json& json, const std::filesystem::path& file);
 
 /// Writes a session completely or not at all. Throws as stateToText does, and Error(Usage) if the file cannot be written.
 void saveSession(const std::filesystem::path& file, const SessionState& state);

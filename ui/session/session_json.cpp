@@ -119,6 +119,7 @@ Json jsonOf(const ViewSetup& setup) {
     if (setup.cullingSize) json["culling_size"] = jsonOf(*setup.cullingSize);
     if (setup.size) json["size"] = jsonOf(*setup.size);
     json["upload"] = wordOf(kUploads, setup.upload);
+    if (!setup.below.empty()) json["below"] = setup.below;
     if (!setup.panel.empty()) json["panel"] = setup.panel;
     json["look"] = jsonOf(setup.look);
     json["wipe"] = jsonOf(setup.wipe);
@@ -134,6 +135,7 @@ ViewSetup readSetup(const JsonField& field) {
     if (const auto size = field.find("culling_size")) setup.cullingSize = readSize(*size);
     if (const auto size = field.find("size")) setup.size = readSize(*size);
     read(field, "upload", kUploads, setup.upload);
+    if (const auto below = field.find("below")) setup.below = below->text();
     if (const auto panel = field.find("panel")) setup.panel = panel->text();
     if (const auto look = field.find("look")) setup.look = readLook(*look);
     if (const auto wipe = field.find("wipe")) setup.wipe = readWipe(*wipe);

@@ -107,6 +107,7 @@ SessionState SessionOpener::current(const QString& arrangement) const {
     state.arrangement = arrangement.toStdString();
     state.bookmarks = m_bookmarks.places();
     state.style = m_session.drawStyle();
+    m_addWindowState(state);
     return state;
 }
 

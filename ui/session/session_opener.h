@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <optional>
 
 #include "ui/jobs/background.h"
@@ -27,6 +28,9 @@ public:
     void open(const QString& what);
     /// Opens the state's scene and then applies the state. `origin` is the file that the state was read from, if any.
     void restore(const SessionState& state, const QString& origin = {});
+
+    /// Sets a function that adds to a state what the window alone knows.
+    void setWindowState(std::function<void(SessionState&)> add) { m_addWindowState = std::move(add); }
 
     /// The present state for a session file, bookmarks included. `arrangement` is the id of the window's arrangement.
     [[nodiscard]] SessionState current(const QString& arrangement) const;
@@ -55,6 +59,7 @@ private:
     CameraBookmarks& m_bookmarks;
     Background m_reading;
     std::optional<Pending> m_pending;
+    std::function<void(SessionState&)> m_addWindowState = [](SessionState&) {};
     bool m_starting = false;  ///< this object itself is starting a loading
 };
 

@@ -48,6 +48,7 @@ SessionState captureState(const Session& session) {
     state.chosenNear = session.chosenNear();
     state.viewCount = session.viewCount();
     state.activeView = session.activeView();
+    if (session.step()) state.place = session.step()->place;
     for (int view = 0; view < Session::kMostViews; ++view) state.views[size_t(view)] = captureView(session, view);
     return state;
 }

@@ -26,7 +26,7 @@ std::optional<uint32_t> pickedInstance(const Session& session) {
 
 Absence absence(Session& session, const SnapshotReader& reader) {
     if (!session.scene()) return session.loader().loading() ? Absence::Preparing : Absence::NoScene;
-    const StrategySlot& slot = session.slot(session.culledBy(session.activeView()));
+    const StrategySlot& slot = session.slot(session.culledBy(reader.view()));
     if (slot.building()) return Absence::Preparing;
     if (!slot.built() || slot.built()->id() != slot.id()) return Absence::NotBuilt;
     // The present reading may be of the former strategy.

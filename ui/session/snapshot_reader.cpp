@@ -73,7 +73,8 @@ SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const V
     return reading;
 }
 
-SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+SnapshotReader::SnapshotReader(Session& session, QObject* parent, std::optional<int> view)
+    : QObject(parent), m_session(session), m_view(view) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseBetweenReadings);
     connect(&m_pause, &QTimer::timeout, this, &SnapshotReader::check);
@@ -113,9 +114,9 @@ std::optional<uint64_t> SnapshotReader::pickedTriangle() const {
 }
 
 std::optional<SnapshotReader::Request> SnapshotReader::present() const {
-    const std::optional<ViewRequest> view = m_session.viewRequest(m_session.activeView());
-    if (!view || view->strategy->scenePointer() != m_session.scene()) return std::nullopt;
-    return Request{view->frame(), pickedTriangle(), view->upTo};
+    const std::optional<ViewRequest> picture = m_session.viewRequest(view());
+    if (!picture || picture->strategy->scenePointer() != m_session.scene()) return std::nullopt;
+    return Request{picture->frame(), pickedTriangle(), picture->upTo};
 }
 
 bool SnapshotReader::answers(const Request& request) const {
@@ -130,7 +131,7 @@ bool SnapshotReader::fresh() const {
 
 void SnapshotReader::check() {
     // Another scene numbers its objects differently, and a refused strategy decides nothing.
-    const bool refused = m_session.slot(m_session.culledBy(m_session.activeView())).refused();
+    const bool refused = m_session.slot(m_session.culledBy(view())).refused();
     const bool outdated = m_reading && (refused || m_reading->strategy->scenePointer() != m_session.scene());
     if (outdated) m_reading = nullptr;
     // A step is read for the panels once its picture is painted; stepChanged follows.
@@ -138,7 +139,7 @@ void SnapshotReader::check() {
     const bool fresh = this->fresh();
     if (fresh != std::exchange(m_wasFresh, fresh) || outdated) emit changed();
     // A step is short, and what panels show of it is asked for at once.
-    const bool pauses = m_pause.isActive() && !m_session.stepOf(m_session.activeView());
+    const bool pauses = m_pause.isActive() && !m_session.stepOf(view());
     if (!fresh && wanted() && !busy() && !pauses) start();
 }
 
@@ -195,9 +196,9 @@ void SnapshotReader::take(const Request& request, SnapshotReadingPointer reading
 std::optional<TriangleState> SnapshotReader::pickedState() const {
     const std::optional<uint64_t> triangle = pickedTriangle();
     // The truth is compared with the whole frame, which a step is not.
-    if (m_session.stepOf(m_session.activeView()) != nullptr)
+    if (m_session.stepOf(view()) != nullptr)
         return triangle && m_reading && m_reading->triangle == triangle ? m_reading->stepState : std::nullopt;
-    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const ViewMetrics& figures = m_session.figures(view());
     if (!triangle || figures.state != ViewMetrics::State::Ready || !figures.states) return std::nullopt;
     if (!figures.subject.buffers || figures.subject.buffers->scenePointer() != m_session.scene()) return std::nullopt;
     return figures.states->states[*triangle];

@@ -12,16 +12,19 @@ class QWidget;
 
 namespace cullscope::ui {
 
-/// Reads the decisions of the frame whose verdicts the active view shows: the view's recorded frame (ViewFrames), which it
-/// fetches from the GPU thread whenever strategy, culling camera, render size, scene, step or pick change. What panels show of
-/// it, such as the tree, the reasons and the map of the picked object, is made on a thread of this reader and not in a paint
-/// event: one reading at a time, and without steps at most ten a second. Only a reading of the present state is delivered.
-/// Nothing is read while none of the registered widgets is visible.
+/// Reads the decisions of the frame whose verdicts a view shows, the active one where no other is named: the view's recorded
+/// frame (ViewFrames), which it fetches from the GPU thread whenever strategy, culling camera, render size, scene, step or pick
+/// change. What panels show of it, such as the tree, the reasons and the map of the picked object, is made on a thread of this
+/// reader and not in a paint event: one reading at a time, and without steps at most ten a second. Only a reading of the present
+/// state is delivered. Nothing is read while none of the registered widgets is visible.
 class SnapshotReader : public QObject {
     Q_OBJECT
 
 public:
-    explicit SnapshotReader(Session& session, QObject* parent = nullptr);
+    /// `view`: always that one; none: the active one.
+    explicit SnapshotReader(Session& session, QObject* parent = nullptr, std::optional<int> view = std::nullopt);
+
+    [[nodiscard]] int view() const { return m_view.value_or(m_session.activeView()); }
 
     /// Registers a widget: the reader works while the widget is visible.
     void readFor(QWidget* widget);
@@ -64,6 +67,7 @@ private:
     void take(const Request& request, SnapshotReadingPointer reading);
 
     Session& m_session;
+    std::optional<int> m_view;
     std::vector<QWidget*> m_readers;
     SnapshotReadingPointer m_reading;
     bool m_wasFresh = false;

@@ -36,8 +36,14 @@ void Stepper::start() {
     emit changed();
 }
 
+void Stepper::startAt(const LogPlace& place) {
+    start();
+    if (active()) m_begin = place;
+}
+
 void Stepper::stop() {
     if (!active()) return;
+    m_begin.reset();
     m_timer.stop();
     m_jobs.cancel();
     m_reading.reset();
@@ -87,7 +93,10 @@ void Stepper::read(const FrameRequest& request) {
 
 void Stepper::take(const ViewFramePointer& frame) {
     size_t entries = 0;
-    if (m_stepper) entries = entriesAtShare(m_stepper->entries(), m_stepper->log().entries(), frame->log.entries());
+    if (m_begin)
+        entries = entriesAtShare(m_begin->entries, m_begin->whole, frame->log.entries());
+    else if (m_stepper)
+        entries = entriesAtShare(m_stepper->entries(), m_stepper->log().entries(), frame->log.entries());
     m_frame = frame;
     m_snapshot = frame->request.strategy->snapshot(frame->log);
     m_stepper.emplace(std::shared_ptr<const FrameLog>(frame, &frame->log));
@@ -114,16 +123,19 @@ void Stepper::show() {
 
 void Stepper::forward() {
     m_timer.stop();
+    m_begin.reset();
     if (m_stepper && m_stepper->forward()) show();
 }
 
 void Stepper::back() {
     m_timer.stop();
+    m_begin.reset();
     if (m_stepper && m_stepper->back()) show();
 }
 
 void Stepper::jump(size_t step) {
     m_timer.stop();
+    m_begin.reset();
     if (!m_stepper || m_stepper->step() == std::min(step, m_stepper->count())) return;
     m_stepper->jump(step);
     show();
@@ -135,6 +147,7 @@ void Stepper::toEnd() {
 
 void Stepper::toBreakpoint(bool onwards) {
     m_timer.stop();
+    m_begin.reset();
     if (!m_stepper) return;
     (void)(onwards ? m_stepper->run(m_stepper->count()) : m_stepper->runBack(m_stepper->count()));
     show();
@@ -142,6 +155,7 @@ void Stepper::toBreakpoint(bool onwards) {
 
 void Stepper::play(bool on) {
     m_timer.stop();
+    m_begin.reset();
     if (on && m_stepper) {
         if (m_stepper->step() == m_stepper->count()) m_stepper->jump(0);
         show();

@@ -26,6 +26,8 @@ public:
 
     /// Steps the view whose culling the active view shows, from the start of its frame.
     void start();
+    /// The same, from a place in its frame; in a longer or shorter one from the same share of it.
+    void startAt(const LogPlace& place);
     /// Shows the whole frame again.
     void stop();
     /// Whether a view is stepped, or its frame is being read for it.
@@ -72,6 +74,7 @@ private:
     ViewFramePointer m_frame;
     std::optional<FrameRequest> m_reading;  ///< under way
     std::optional<FrameStepper> m_stepper;
+    std::optional<LogPlace> m_begin;  ///< where startAt() begins, until the user goes on from there
     StructureSnapshot m_snapshot;
     Message m_failure;
     std::set<EntryKind> m_breakpoints;

@@ -8,7 +8,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMargin = 10.0;
+constexpr double kBarMargin = 10.0;
 constexpr double kGap = 8.0;
 constexpr double kWide = 640.0;  // pixels; from this width on the label is beside the bar, and both parts of the time are stated
 
@@ -55,7 +55,7 @@ TimeBar::Columns TimeBar::columns(const QFontMetricsF& metrics, double width) co
 
 int TimeBar::neededHeight(int width) const {
     const Columns parts = columns(QFontMetricsF(font()), width);
-    return int(parts.legend + parts.row * double(m_entries.size()) + kMargin);
+    return int(parts.legend + parts.row * double(m_entries.size()) + kBarMargin);
 }
 
 void TimeBar::paintLegend(QPainter& painter, const QRectF& place, const PlotColours& colours) const {
@@ -95,13 +95,13 @@ void TimeBar::paintRow(QPainter& painter, const QRectF& row, const Columns& part
     painter.fillRect(QRectF(left, top, cull, height), entry.baseline ? colours.baselineCull : colours.cull);
     painter.fillRect(QRectF(left + cull, top, draw, height), entry.baseline ? colours.baselineDraw : colours.draw);
     const QRectF figures(left + cull + draw + kGap, top, parts.figures + 1.0, height);
-    painter.drawText(figures, Qt::AlignVCenter, figuresOf(entry, row.width() + 2 * kMargin >= kWide));
+    painter.drawText(figures, Qt::AlignVCenter, figuresOf(entry, row.width() + 2 * kBarMargin >= kWide));
 }
 
 void TimeBar::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
     const PlotColours colours(palette);
     const Columns parts = columns(QFontMetricsF(painter.font()), place.width());
-    const QRectF inner = place.adjusted(kMargin, 0.0, -kMargin, 0.0);
+    const QRectF inner = place.adjusted(kBarMargin, 0.0, -kBarMargin, 0.0);
     paintLegend(painter, QRectF(inner.left(), inner.top(), inner.width(), parts.legend), colours);
     QRectF row(inner.left(), inner.top() + parts.legend, inner.width(), parts.row);
     for (const Entry& entry : m_entries) {

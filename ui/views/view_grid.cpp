@@ -1,12 +1,14 @@
 #include "ui/views/view_grid.h"
 
 #include <QPainter>
+#include <numeric>
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr int kGridGap = 2;  // pixels between two views
+constexpr int kGridGap = 2;              // pixels between two views
+constexpr double kShareWithStrip = 1.6;  // of the height: a row with strips against one without
 
 }  // namespace
 
@@ -24,23 +26,36 @@ ViewGrid::ViewGrid(Session& session, QWidget* parent) : QWidget(parent), m_sessi
 }
 
 ViewPane* ViewGrid::lend(int view) {
-    m_lent = m_panes[size_t(view)];
-    m_lent->setCompare(false);
-    m_lent->setLent(true);
-    return m_lent;
+    ViewPane* pane = m_panes[size_t(view)];
+    m_lent.insert(pane);
+    return pane;
 }
 
 void ViewGrid::take(ViewPane* pane) {
-    m_lent = nullptr;
+    m_lent.erase(pane);
     pane->setParent(this);
-    pane->setLent(false);
+    pane->setLent(ViewPane::Lent::No, 0);
+    pane->setFiguresHidden(false);
     arrange();
 }
 
-QRect ViewGrid::cell(int place, int columns, int rows) const {
-    const int across = (width() - kGridGap * (columns - 1)) / columns;
-    const int down = (height() - kGridGap * (rows - 1)) / rows;
-    return {place % columns * (across + kGridGap), place / columns * (down + kGridGap), across, down};
+std::vector<QRect> ViewGrid::cells(const QRect& place, const std::vector<int>& views) const {
+    if (views.empty()) return {};
+    const int count = int(views.size()), rows = count > 2 ? 2 : 1, columns = (count + rows - 1) / rows;
+    std::vector<double> shares(size_t(rows), 1.0);
+    for (int i = 0; i < count; ++i)
+        if (m_panes[size_t(views[size_t(i)])]->strip()) shares[size_t(i / columns)] = kShareWithStrip;
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+    const int across = (place.width() - kGridGap * (columns - 1)) / columns, down = place.height() - kGridGap * (rows - 1);
+    std::vector<QRect> cells;
+    int top = place.top();
+    for (int row = 0; row < rows; ++row) {
+        const int height = int(down * shares[size_t(row)] / all);
+        for (int column = 0; column < columns && int(cells.size()) < count; ++column)
+            cells.emplace_back(place.left() + column * (across + kGridGap), top, across, height);
+        top += height + kGridGap;
+    }
+    return cells;
 }
 
 void ViewGrid::moveLoupes(int view, const std::optional<QPointF>& place) {
@@ -54,15 +69,14 @@ void ViewGrid::moveLoupes(int view, const std::optional<QPointF>& place) {
 
 void ViewGrid::arrange() {
     const std::vector<int> shown = m_session.shownViews();
-    const int count = int(shown.size());
-    const int rows = count > 2 ? 2 : 1;
     for (ViewPane* pane : m_panes)
-        if (pane != m_lent && !m_session.shown(pane->view())) pane->hide();
-    for (int place = 0; place < count; ++place) {
-        ViewPane* pane = m_panes[size_t(shown[size_t(place)])];
-        if (pane == m_lent) continue;
-        pane->setCompare(count > 2);
-        pane->setGeometry(cell(place, count / rows, rows));
+        if (!m_lent.contains(pane) && !m_session.shown(pane->view())) pane->hide();
+    const std::vector<QRect> cells = this->cells(rect(), shown);
+    for (size_t place = 0; place < shown.size(); ++place) {
+        ViewPane* pane = m_panes[size_t(shown[place])];
+        if (m_lent.contains(pane)) continue;
+        pane->setCompare(shown.size() > 2);
+        pane->setGeometry(cells[place]);
         pane->show();
     }
 }

@@ -53,12 +53,8 @@ QColor subdued(const QPalette& palette) {
 
 ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
     : QWidget(parent), m_session(session), m_view(view), m_measure(new QToolButton(this)), m_menu(new QToolButton(this)) {
-    setFixedHeight(2 * kLineHeight);
-    QFont font = this->font();
-    font.setPixelSize(kFontPixels);
-    setFont(font);
+    setLetters(0);
     m_measure->hide();
-    m_measure->setFixedHeight(kLineHeight);
     m_menu->setAutoRaise(true);
     m_menu->setArrowType(Qt::DownArrow);
     m_menu->setFocusPolicy(Qt::TabFocus);
@@ -75,6 +71,24 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
     for (const auto signal : {&Session::activeViewChanged, &Session::stepChanged, &Session::questionChanged})
         connect(&session, signal, this, &ViewHeader::refresh);
     connect(&session, &Session::viewCountChanged, this, &ViewHeader::refresh);
+    refresh();
+}
+
+void ViewHeader::setLetters(int pixels) {
+    const int letters = pixels > 0 ? pixels : kFontPixels;
+    m_lineHeight = pixels > 0 ? letters * kLineHeight / kFontPixels : kLineHeight;
+    QFont font = this->font();
+    font.setPixelSize(letters);
+    setFont(font);
+    setFixedHeight(sizeHint().height());
+    m_measure->setFixedHeight(m_lineHeight);
+    placeButton();
+    update();
+}
+
+void ViewHeader::setFiguresHidden(bool hidden) {
+    m_figuresHidden = hidden;
+    setFixedHeight(sizeHint().height());
     refresh();
 }
 
@@ -127,7 +141,7 @@ void ViewHeader::refresh() {
     const ViewMetrics& figures = m_session.figures(m_view);
     m_measure->setText(tr("Measure"));
     m_measure->setToolTip(tr("Compare this large scene with the truth now; this may take a while"));
-    m_measure->setVisible(figures.state == ViewMetrics::State::OnRequest);
+    m_measure->setVisible(figures.state == ViewMetrics::State::OnRequest && !m_figuresHidden);
     placeButton();
     m_menu->setToolTip(tr("What view %1 shows, and how").arg(viewLetter(m_view)));
     m_menu->setAccessibleName(m_menu->toolTip());
@@ -143,9 +157,9 @@ void ViewHeader::refresh() {
 }
 
 void ViewHeader::placeButton() {
-    m_measure->resize(m_measure->sizeHint().width(), kLineHeight);
-    m_measure->move(width() - m_measure->width() - kMargin, kLineHeight);
-    m_menu->setGeometry(menuLeft(), 0, kLineHeight, kLineHeight);
+    m_measure->resize(m_measure->sizeHint().width(), m_lineHeight);
+    m_measure->move(width() - m_measure->width() - kMargin, m_lineHeight);
+    m_menu->setGeometry(menuLeft(), 0, m_lineHeight, m_lineHeight);
 }
 
 QFont ViewHeader::face(bool bold) const {
@@ -203,13 +217,13 @@ void ViewHeader::paintFirstLine(QPainter& painter) {
     int x = line.margin;
     for (const Part& part : line.parts) {
         if (part.marker) {
-            drawPromiseMarker(painter, QRectF(x, (kLineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize), *part.marker,
+            drawPromiseMarker(painter, QRectF(x, (m_lineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize), *part.marker,
                               text);
             x += kMarkerSize + kMargin / 2;
         }
         painter.setFont(face(part.bold));
         painter.setPen(part.subdued ? subdued(palette()) : text);
-        write(painter, QRect(x, 0, menuLeft() - x, kLineHeight), part.text);
+        write(painter, QRect(x, 0, menuLeft() - x, m_lineHeight), part.text);
         x += painter.fontMetrics().horizontalAdvance(part.text) + (part.joined ? 0 : line.margin);
     }
 }
@@ -222,11 +236,12 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     if (active && m_session.viewCount() > 1) painter.fillRect(0, 0, 4, height(), colours.color(QPalette::Highlight));
     m_elided = false;
     paintFirstLine(painter);
+    if (m_figuresHidden) return;
     const ViewMetrics& figures = m_session.figures(m_view);
     const bool ready = figures.state == ViewMetrics::State::Ready;
     painter.setFont(face(ready && figures.lostPixels() > 0));
     painter.setPen(ready ? colours.color(QPalette::WindowText) : subdued(colours));
-    const QRect second(kMargin, kLineHeight, width() - 2 * kMargin, kLineHeight);
+    const QRect second(kMargin, m_lineHeight, width() - 2 * kMargin, m_lineHeight);
     write(painter, second, secondLine(painter.fontMetrics(), second.width()));
 }
 

@@ -16,7 +16,11 @@ public:
 
     ViewHeader(Session& session, int view, QWidget* parent = nullptr);
 
-    [[nodiscard]] QSize sizeHint() const override { return {320, 2 * kLineHeight}; }
+    [[nodiscard]] QSize sizeHint() const override { return {320, (m_figuresHidden ? 1 : 2) * m_lineHeight}; }
+    /// Letters of so many pixels, for a lecture; 0: the usual ones.
+    void setLetters(int pixels);
+    /// Leaves out the second line.
+    void setFiguresHidden(bool hidden);
     [[nodiscard]] QString firstLine() const;
     [[nodiscard]] QString secondLine() const;
     /// The same for a width in pixels: shorter where it does not fit while the view is stepped.
@@ -52,7 +56,7 @@ private:
 
     void refresh();
     void placeButton();
-    [[nodiscard]] int menuLeft() const { return width() - kLineHeight - 2; }
+    [[nodiscard]] int menuLeft() const { return width() - m_lineHeight - 2; }
     [[nodiscard]] std::vector<Part> parts(bool withName) const;
     [[nodiscard]] FirstLine fittingLine() const;
     [[nodiscard]] int widthOf(const FirstLine& line) const;
@@ -68,6 +72,8 @@ private:
     int m_view;
     QToolButton* m_measure;
     QToolButton* m_menu;
+    int m_lineHeight = kLineHeight;
+    bool m_figuresHidden = false;
     bool m_elided = false;
 };
 

@@ -12,10 +12,9 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kChipInset = 8;
+constexpr double kPictureOverStrip = 0.55;  // its share of the height that a strip leaves
 constexpr double kUsualScale = 1.0;
 constexpr double kUsualPace = 1.0;
-constexpr int kSmallestLentLetters = 20;  // pixels, in a lecture at its design size
-constexpr int kLentLines = 31;            // height of the pane in lines of text in a lecture
 
 }  // namespace
 
@@ -76,6 +75,8 @@ QString ViewPane::visibleSets() const {
 QString ViewPane::chipText() const {
     // A refused strategy has no picture: state only the reason.
     if (m_session.slot(m_session.culledBy(m_view)).refused()) return translated(m_session.figures(m_view).failure);
+    // In a lecture its numbers come when they are asked for.
+    if (m_figuresHidden) return {};
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
     if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");
@@ -135,9 +136,21 @@ void ViewPane::setCompare(bool compare) {
     arrange();
 }
 
-void ViewPane::setLent(bool lent) {
+void ViewPane::setLent(Lent lent, int letters) {
+    if (lent == m_lent && letters == m_letters) return;
     m_lent = lent;
-    if (!lent) setFont(QFont());
+    m_letters = letters;
+    QFont large;
+    if (lent != Lent::No) large.setPixelSize(letters);
+    setFont(large);
+    m_header->setLetters(lent == Lent::No ? 0 : letters);
+    arrange();
+}
+
+void ViewPane::setFiguresHidden(bool hidden) {
+    if (hidden == m_figuresHidden) return;
+    m_figuresHidden = hidden;
+    m_header->setFiguresHidden(hidden);
     arrange();
 }
 
@@ -151,25 +164,35 @@ void ViewPane::setPanel(QWidget* panel) {
     arrange();
 }
 
+void ViewPane::setStrip(QWidget* strip) {
+    delete m_strip;
+    m_strip = strip;
+    if (strip) {
+        strip->setParent(this);
+        strip->show();
+    }
+    arrange();
+}
+
 void ViewPane::arrange() {
     m_picture->setVisible(!m_panel);
-    m_budget->setVisible(!m_panel && !m_session.question());
-    m_header->setVisible(!m_lent);
-    if (m_lent) {
-        QFont large = font();
-        large.setPixelSize(std::max(kSmallestLentLetters, height() / kLentLines));
-        setFont(large);
-    }
-    const int top = m_lent ? 0 : m_header->sizeHint().height();
+    m_budget->setVisible(!m_panel && !m_session.question() && !m_figuresHidden);
+    if (m_strip) m_strip->setVisible(!m_panel);
+    m_header->setVisible(m_lent != Lent::Alone);
+    const int top = m_lent == Lent::Alone ? 0 : m_header->sizeHint().height();
     m_header->setGeometry(0, 0, width(), top);
     if (m_panel) {
         m_panel->setGeometry(0, top, width(), height() - top);
         return;
     }
-    QSize picture(width(), std::max(1, height() - top - m_budget->sizeHint().height()));
+    const int bar = m_figuresHidden ? 0 : m_budget->sizeHint().height();
+    QSize picture(width(), std::max(1, height() - top - bar));
+    if (m_strip) picture.setHeight(std::max(1, int(kPictureOverStrip * picture.height())));
     if (m_compare) picture = QSize(4, 3).scaled(picture, Qt::KeepAspectRatio);
     m_picture->setGeometry((width() - picture.width()) / 2, top, picture.width(), picture.height());
-    m_budget->setGeometry(0, top + picture.height(), width(), m_budget->sizeHint().height());
+    m_budget->setGeometry(0, top + picture.height(), width(), bar);
+    if (m_strip)
+        m_strip->setGeometry(0, top + picture.height() + bar, width(), std::max(1, height() - top - picture.height() - bar));
     refreshChip();
 }
 

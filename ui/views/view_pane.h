@@ -26,11 +26,21 @@ public:
     /// In compare mode pictures that are fitted to the window have an aspect ratio of 4 : 3: eight of them are 320 × 240 on the
     /// least screen.
     void setCompare(bool compare);
-    /// Lent to a lecture: without the header, whose contents the lecture shows itself, and with letters for the back row.
-    void setLent(bool lent);
+    enum class Lent {
+        No,
+        Alone,  ///< to a lecture: without the header, whose contents the lecture shows itself
+        Beside  ///< to a lecture, one of several: the header says which strategy it is
+    };
+    /// In a lecture letters have so many pixels.
+    void setLent(Lent lent, int letters);
+    /// Hides what the header and the budget bar tell of figures.
+    void setFiguresHidden(bool hidden);
     /// Replaces the picture by a panel, which this pane then owns; null: shows the picture again.
     void setPanel(QWidget* panel);
     [[nodiscard]] QWidget* panel() const { return m_panel; }
+    /// Puts a strip below the picture, which this pane then owns; null: there is none.
+    void setStrip(QWidget* strip);
+    [[nodiscard]] QWidget* strip() const { return m_strip; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -53,8 +63,11 @@ private:
     BudgetBar* m_budget;
     QLabel* m_chip;
     QWidget* m_panel = nullptr;
+    QWidget* m_strip = nullptr;
     bool m_compare = false;
-    bool m_lent = false;
+    Lent m_lent = Lent::No;
+    int m_letters = 0;  ///< in pixels, lent
+    bool m_figuresHidden = false;
 };
 
 }  // namespace cullscope::ui

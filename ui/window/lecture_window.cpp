@@ -1,5 +1,6 @@
 #include "ui/window/lecture_window.h"
 
+#include <QAction>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -19,15 +20,24 @@ namespace {
 
 // Lengths for a screen of 1280 × 720; larger screens scale them.
 constexpr QSize kDesign{1280, 720};
-constexpr int kTitle = 48;
-constexpr int kPictureWidth = 800;
-constexpr int kStructureHeight = 300;
-constexpr int kFoot = 64;
-constexpr int kButton = 44;
+constexpr int kTitle = 44;
+constexpr int kSentence = 66;
+constexpr int kStructureWidth = 480;
+constexpr int kMapHeight = 190;
+constexpr double kMapShare = 0.42;  // of the structure's height, at most
+constexpr int kFoot = 56;
+constexpr int kButton = 40;
 constexpr int kSmallestLetters = 20;
-constexpr int kTitleLetters = 28;
-constexpr int kNumberLetters = 26;
+constexpr int kTitleLetters = 26;
+constexpr int kSentenceLetters = 24;
+constexpr int kNumberLetters = 24;
 constexpr int kPageMargin = 16;
+constexpr int kPaneGap = 4;
+constexpr double kWatchingStepsShare = 0.32;  // the same while a frame is stepped, which the listing tells
+constexpr double kWatchingShare = 0.45;       // of the height: the view that watches from outside, over the structure
+
+/// Keys that mean something else here than in the main window.
+constexpr std::array kOwnKeys{Qt::Key_B, Qt::Key_Period, Qt::Key_R, Qt::Key_P, Qt::Key_Escape};
 
 void setLetters(QWidget& widget, int pixels, bool bold = false) {
     QFont font = widget.font();
@@ -36,53 +46,89 @@ void setLetters(QWidget& widget, int pixels, bool bold = false) {
     widget.setFont(font);
 }
 
+bool isOwnKey(int key) { return std::ranges::find(kOwnKeys, key) != kOwnKeys.end(); }
+
+bool hasOwnKey(const QAction& action) {
+    return std::ranges::any_of(action.shortcuts(), [](const QKeySequence& keys) {
+        return keys.count() == 1 && keys[0].keyboardModifiers() == Qt::NoModifier && isOwnKey(keys[0].key());
+    });
+}
+
 }  // namespace
 
-LectureWindow::LectureWindow(Session& session, ViewGrid& views, QWidget* structure, QWidget* parent)
+LectureWindow::LectureWindow(Session& session, ViewGrid& views, StructurePanel* structure, QWidget* parent)
     : QWidget(parent, Qt::Window),
       m_session(session),
       m_views(views),
       m_title(new QLabel(this)),
-      m_explanation(new QLabel(this)),
+      m_place(new QLabel(this)),
+      m_sentence(new QLabel(this)),
+      m_stepSentence(new QLabel(this)),
       m_structure(structure),
+      m_legend(new LectureLegend(session, this)),
       m_foot(new QWidget(this)),
       m_back(new QPushButton(m_foot)),
-      m_next(new QPushButton(m_foot)) {
+      m_next(new QPushButton(m_foot)),
+      m_spot(new PointerSpot(this)) {
     setPalette(Appearance::palette(false));
     setAutoFillBackground(true);
     setMinimumSize(640, 360);
     m_structure->setParent(this);
-    m_structure->show();
-    m_explanation->setWordWrap(true);
-    m_explanation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_structure->showToAudience();
+    for (QLabel* words : {m_sentence, m_stepSentence}) {
+        words->setWordWrap(true);
+        words->setTextFormat(Qt::PlainText);
+        words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    }
+    m_place->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    if (parent)
+        for (QAction* action : parent->actions())
+            if (!hasOwnKey(*action)) addAction(action);
     makeFoot();
-    const auto mine = [this](int) { refresh(); };
-    connect(&session, &Session::metricsChanged, this, mine);
-    connect(&session, &Session::strategyChosen, this, mine);
-    connect(&session, &Session::setupChanged, this, mine);
-    connect(&session, &Session::sceneChanged, this, &LectureWindow::refresh);
-    connect(&session, &Session::questionChanged, this, &LectureWindow::refresh);
+    follow();
 }
 
-LectureWindow::~LectureWindow() { giveBack(); }
+LectureWindow::~LectureWindow() {
+    disconnect(&m_session, nullptr, this, nullptr);
+    giveBack();
+}
+
+void LectureWindow::follow() {
+    const auto mine = [this](int) { refresh(); };
+    connect(&m_session, &Session::metricsChanged, this, mine);
+    connect(&m_session, &Session::strategyChosen, this, mine);
+    // Queued: panes that are borrowed or go back take other sizes, from which such changes follow.
+    connect(
+        &m_session, &Session::setupChanged, this, [this](int) { borrow(); }, Qt::QueuedConnection);
+    for (const auto signal : {&Session::sceneChanged, &Session::viewCountChanged})
+        connect(&m_session, signal, this, &LectureWindow::borrow, Qt::QueuedConnection);
+    for (const auto signal : {&Session::activeViewChanged, &Session::questionChanged})
+        connect(&m_session, signal, this, &LectureWindow::refresh);
+    connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
+}
 
 void LectureWindow::makeFoot() {
     auto* row = new QHBoxLayout(m_foot);
+    row->setContentsMargins(kPageMargin, 0, kPageMargin, 0);
     row->setSpacing(kPageMargin);
     for (QLabel*& number : m_numbers) {
         number = new QLabel(m_foot);
-        row->addWidget(number, 1);
+        row->addWidget(number);
     }
+    m_ask = new QPushButton(m_foot);
+    m_ask->setFlat(true);
+    row->addWidget(m_ask);
+    row->addStretch(1);
     m_software = new QLabel(m_foot);
     m_software->setMargin(6);
     m_software->setAutoFillBackground(true);
     m_software->setBackgroundRole(QPalette::ToolTipBase);
     m_software->setForegroundRole(QPalette::ToolTipText);
     row->addWidget(m_software);
-    for (QPushButton* button : {m_back, m_next}) {
-        button->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(button);
-    }
+    for (QPushButton* button : {m_ask, m_back, m_next}) button->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(m_back);
+    row->addWidget(m_next);
+    connect(m_ask, &QPushButton::clicked, this, [this] { reveal(true); });
     connect(m_back, &QPushButton::clicked, this, [this] { step(-1); });
     connect(m_next, &QPushButton::clicked, this, [this] { step(1); });
 }
@@ -94,25 +140,46 @@ void LectureWindow::begin() {
     setScreen(second != screens.end() ? *second : own);
     setGeometry((second != screens.end() ? *second : own)->geometry());
     showFullScreen();
-    showView(m_session.activeView());
+    raise();
+    activateWindow();
+    borrow();
     setFocus();
 }
 
-void LectureWindow::giveBack() {
-    if (!m_pane) return;
-    m_pane->picture().removeEventFilter(this);
-    m_views.take(std::exchange(m_pane, nullptr));
+std::vector<int> LectureWindow::views() const {
+    std::vector<int> views;
+    for (const ViewPane* pane : m_panes) views.push_back(pane->view());
+    return views;
 }
 
-void LectureWindow::showView(int view) {
-    giveBack();
-    m_session.setActiveView(view);
-    m_pane = m_views.lend(view);
-    m_pane->setParent(this);
-    m_pane->picture().installEventFilter(this);
-    m_pane->show();
+std::vector<int> LectureWindow::wantedViews() const {
+    std::vector<int> shown = m_session.shownViews();
+    if (!m_alone) return shown;
+    return {m_session.activeView()};
+}
+
+void LectureWindow::borrow() {
+    if (!isVisible()) return;  // it was closed meanwhile
+    const std::vector<int> wanted = wantedViews();
+    if (wanted != views()) {
+        giveBack();
+        for (const int view : wanted) {
+            ViewPane* pane = m_views.lend(view);
+            pane->setParent(this);
+            pane->picture().installEventFilter(this);
+            m_panes.push_back(pane);
+        }
+    }
+    for (ViewPane* pane : m_panes) pane->setVisible(!m_blank);
+    m_spot->raise();
     refresh();
-    arrange();
+}
+
+void LectureWindow::giveBack() {
+    for (ViewPane* pane : std::exchange(m_panes, {})) {
+        pane->picture().removeEventFilter(this);
+        m_views.take(pane);
+    }
 }
 
 void LectureWindow::setStepper(Stepper* stepper) {
@@ -120,19 +187,53 @@ void LectureWindow::setStepper(Stepper* stepper) {
     connect(stepper, &Stepper::changed, this, &LectureWindow::refresh);
 }
 
+void LectureWindow::setLessons(LessonPlayer* lessons, const Language* language) {
+    m_lessons = lessons;
+    m_language = language;
+    connect(lessons, &LessonPlayer::changed, this, [this] {
+        m_alone = false;
+        reveal(false);
+    });
+    connect(lessons, &LessonPlayer::shown, this, [this](const LessonStep& step) {
+        if (!step.state.inside.map.empty()) m_structure->map().setColouring(step.state.inside.map);
+        if (!step.state.inside.page.empty()) m_structure->showPage(step.state.inside.page);
+        borrow();
+    });
+}
+
+bool LectureWindow::stepped() const { return m_stepper && m_stepper->active(); }
+
 void LectureWindow::step(int way) {
-    if (m_stepper && m_stepper->active()) return way > 0 ? m_stepper->forward() : m_stepper->back();
+    if (inLesson()) return way > 0 ? m_lessons->forward() : m_lessons->back();
+    if (stepped()) return way > 0 ? m_stepper->forward() : m_stepper->back();
     const std::vector<int> shown = m_session.shownViews();
-    const auto place = std::find(shown.begin(), shown.end(), shownView());
-    if (place == shown.end()) return;
-    const auto count = int(shown.size());
-    showView(shown[size_t((int(place - shown.begin()) + way + count) % count)]);
+    const auto place = std::find(shown.begin(), shown.end(), m_session.activeView());
+    if (place == shown.end() || shown.size() < 2) return;
+    const auto count = int(shown.size()), at = int(place - shown.begin());
+    // After all views together each one alone, from the one after the active one to the first; then all together again.
+    if (m_alone && at == (way > 0 ? 0 : 1 % count)) return setAlone(false, shown.front());
+    setAlone(true, shown[size_t((at + way + count) % count)]);
+}
+
+void LectureWindow::setAlone(bool alone, int view) {
+    m_alone = alone;
+    m_session.setActiveView(view);
+    reveal(false);
+    borrow();
+}
+
+void LectureWindow::reveal(bool revealed) {
+    m_revealed = revealed;
+    refresh();
 }
 
 void LectureWindow::setBlank(bool blank) {
     m_blank = blank;
-    for (QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) child->setVisible(!blank);
+    m_spot->setOn(false);
+    for (QWidget* child : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        if (child != m_spot) child->setVisible(!blank);
     update();
+    if (!blank) refresh();
 }
 
 int LectureWindow::scaled(int length) const {
@@ -141,58 +242,120 @@ int LectureWindow::scaled(int length) const {
 }
 
 void LectureWindow::arrange() {
-    const int title = scaled(kTitle), foot = scaled(kFoot),
-              picture = std::max(1, width() - scaled(kDesign.width() - kPictureWidth));
-    const int middle = height() - title - foot;
+    const int title = scaled(kTitle), foot = scaled(kFoot), margin = scaled(kPageMargin), across = width() - 2 * margin;
     setLetters(*m_title, scaled(kTitleLetters), true);
-    setLetters(*m_explanation, scaled(kSmallestLetters));
-    setLetters(*m_structure, scaled(kSmallestLetters));
-    setLetters(*m_software, scaled(kSmallestLetters));
+    setLetters(*m_place, scaled(kTitleLetters));
+    for (QLabel* words : {m_sentence, m_stepSentence}) setLetters(*words, scaled(kSentenceLetters));
+    for (QWidget* small : std::initializer_list<QWidget*>{m_structure, m_software, m_back, m_next, m_ask})
+        setLetters(*small, scaled(kSmallestLetters));
     for (QLabel* number : m_numbers) setLetters(*number, scaled(kNumberLetters), true);
-    for (QPushButton* button : {m_back, m_next}) {
-        setLetters(*button, scaled(kSmallestLetters));
-        button->setMinimumSize(scaled(3 * kButton), scaled(kButton));
-    }
-    m_title->setGeometry(scaled(kPageMargin), 0, width() - 2 * scaled(kPageMargin), title);
-    if (m_pane) m_pane->setGeometry(0, title, picture, middle);
-    const int margin = scaled(kPageMargin), side = picture + margin, room = width() - side - margin;
-    m_structure->setGeometry(side, title + margin, room, scaled(kStructureHeight) - margin);
-    m_explanation->setGeometry(side, title + scaled(kStructureHeight) + margin, room, middle - scaled(kStructureHeight) - margin);
+    for (QPushButton* button : {m_back, m_next}) button->setMinimumSize(scaled(3 * kButton), scaled(kButton));
+    m_ask->setMinimumHeight(scaled(kButton));
+    const int place = m_place->sizeHint().width();
+    m_title->setGeometry(margin, 0, across - place - margin, title);
+    m_place->setGeometry(margin + across - place, 0, place, title);
+    m_sentence->setGeometry(margin, title, across, scaled(kSentence));
     m_foot->setGeometry(0, height() - foot, width(), foot);
+    m_foot->layout()->activate();
+    int bottom = height() - foot;
+    m_legend->explain(views(), scaled(kSmallestLetters));
+    m_legend->setVisible(!m_blank && !m_legend->empty());
+    if (!m_legend->empty()) {
+        const int high = m_legend->layout()->heightForWidth(across) + scaled(kPaneGap);
+        m_legend->setGeometry(margin, bottom - high, across, high);
+        bottom -= high;
+    }
+    m_stepSentence->setVisible(!m_blank && !m_stepSentence->text().isEmpty());
+    if (!m_stepSentence->text().isEmpty()) {
+        const int high = 2 * lineHeight(m_stepSentence->fontMetrics()) + scaled(kPaneGap);
+        m_stepSentence->setGeometry(margin, bottom - high, across, high);
+        bottom -= high;
+    }
+    const int top = title + scaled(kSentence);
+    arrangePanes(QRect(0, top, width(), std::max(1, bottom - top)));
+}
+
+void LectureWindow::arrangePanes(const QRect& place) {
+    const std::vector<int> shown = views();
+    const bool watched = shown.size() == 2 && m_session.culledBy(shown[0]) == m_session.culledBy(shown[1]);
+    const bool structure = shown.size() == 1 || watched || stepped();
+    const int side = structure ? scaled(kStructureWidth) : 0, margin = scaled(kPageMargin);
+    QRect pictures = place.adjusted(0, 0, -side, 0);
+    QRect inside(pictures.right() + 1 + margin, place.top(), std::max(0, side - 2 * margin), place.height());
+    for (ViewPane* pane : m_panes) {
+        pane->setLent(shown.size() == 1 || watched ? ViewPane::Lent::Alone : ViewPane::Lent::Beside, scaled(kSmallestLetters));
+        pane->setFiguresHidden(!m_revealed);
+    }
+    if (watched) {
+        m_panes[0]->setCompare(false);
+        m_panes[1]->setCompare(false);
+        const int watching = int((stepped() ? kWatchingStepsShare : kWatchingShare) * place.height());
+        m_panes[0]->setGeometry(pictures);
+        m_panes[1]->setGeometry(pictures.right() + 1 + kPaneGap, place.top(), side - kPaneGap, watching);
+        inside.setTop(place.top() + watching + kPaneGap);
+    } else {
+        const std::vector<QRect> cells = m_views.cells(pictures, shown);
+        for (size_t i = 0; i < m_panes.size(); ++i) {
+            m_panes[i]->setCompare(shown.size() > 2);
+            m_panes[i]->setGeometry(cells[i]);
+        }
+    }
+    m_structure->setAudienceMapHeight(std::min(scaled(kMapHeight), int(kMapShare * inside.height())));
+    m_structure->setVisible(structure && !m_blank && !m_session.question());
+    m_structure->setGeometry(inside);
+}
+
+QString LectureWindow::titleText() const {
+    if (inLesson()) return QString::fromStdString(textIn(m_lessons->lesson().title, m_language->current().toStdString()));
+    const QString scene = m_session.opened() ? QString::fromStdString(m_session.opened()->scene->name()) : QString();
+    return tr("%1 – %2", "strategy, scene").arg(m_views.pane(m_session.activeView()).header().firstLine(), scene);
+}
+
+QString LectureWindow::sentenceText() const {
+    if (const std::optional<Prediction>& question = m_session.question())
+        return QuestionBar::askedText(*question) + QLatin1Char('\n') + QuestionBar::words(m_session);
+    if (inLesson()) return QString::fromStdString(textIn(m_lessons->current().sentence, m_language->current().toStdString()));
+    return translated(findStrategy(m_session.slot(m_session.culledBy(m_session.activeView())).id()).info.description);
 }
 
 void LectureWindow::refresh() {
-    if (!m_pane) return;
-    const int view = m_pane->view();
-    const StrategyInfo& info = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
-    const QString scene = m_session.opened() ? QString::fromStdString(m_session.opened()->scene->name()) : QString();
-    m_title->setText(tr("%1 – %2", "strategy, scene").arg(m_pane->header().firstLine(), scene));
-    const bool stepped = m_stepper && m_stepper->place() && m_session.stepOf(view) != nullptr;
-    const std::optional<Prediction>& question = m_session.question();
-    m_explanation->setText(question  ? QuestionBar::askedText(*question) + QStringLiteral("\n\n") + QuestionBar::words(m_session)
-                           : stepped ? m_stepper->sentence()
-                                     : translated(info.description));
-    const ViewMetrics& figures = m_session.figures(view);
-    const bool ready = figures.state == ViewMetrics::State::Ready && !question;
+    if (m_panes.empty()) return;
+    m_title->setText(titleText());
+    m_sentence->setText(sentenceText());
+    m_place->setText(
+        inLesson() ? tr("%1 of %2", "a step of a lesson, number of steps").arg(m_lessons->step() + 1).arg(m_lessons->count())
+                   : QString());
+    m_stepSentence->setText(stepped() && m_stepper->place() ? m_stepper->sentence() : QString());
+    showFigures();
+    m_back->setText(tr("◀ Back"));
+    m_next->setText(tr("Next ▶"));
+    const bool several = m_session.shownViews().size() > 1 || stepped();
+    m_back->setEnabled(inLesson() ? m_lessons->step() > 0 : several);
+    m_next->setEnabled(inLesson() ? m_lessons->step() + 1 < m_lessons->count() : several);
+    m_software->setText(tr("Software OpenGL"));
+    m_software->setVisible(m_session.gpu() && m_session.gpu()->info().software && m_revealed && !m_blank);
+    setWindowTitle(tr("Lecture – Cullscope"));
+    arrange();
+}
+
+void LectureWindow::showFigures() {
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const bool ready = figures.state == ViewMetrics::State::Ready && !m_session.question();
     const QString none = QStringLiteral("…");
     m_numbers[0]->setText(tr("Speed: %1").arg(ready && figures.speedup ? speedText(*figures.speedup) : none));
     m_numbers[1]->setText(tr("Submitted: %1").arg(ready ? percentText(figures.submittedShare()) + QStringLiteral(" %") : none));
     m_numbers[2]->setText(tr("Missed: %1").arg(ready ? countText(figures.accuracy.missedPixels) : none));
-    m_back->setText(tr("◀ Back"));
-    m_next->setText(tr("Next ▶"));
-    const bool several = m_session.shownViews().size() > 1 || stepped;
-    m_back->setEnabled(several);
-    m_next->setEnabled(several);
-    m_software->setText(tr("Software OpenGL"));
-    m_software->setVisible(m_session.gpu() && m_session.gpu()->info().software && !m_blank);
-    setWindowTitle(tr("Lecture – Cullscope"));
+    for (QLabel* number : m_numbers) number->setVisible(m_revealed && !m_blank);
+    m_ask->setText(tr("How fast, and what is lost? (R)"));
+    m_ask->setVisible(!m_revealed && !m_blank);
 }
 
 bool LectureWindow::eventFilter(QObject* watched, QEvent* event) {
     // While the user turns the picture it has the focus; the keys of the clicker must work nevertheless.
     if (event->type() == QEvent::KeyPress) {
-        const int key = static_cast<QKeyEvent*>(event)->key();
-        if (key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Escape || key == Qt::Key_B) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool page = key->key() == Qt::Key_PageUp || key->key() == Qt::Key_PageDown;
+        if (page || (isOwnKey(key->key()) && key->modifiers() == Qt::NoModifier)) {
             keyPressEvent(static_cast<QKeyEvent*>(event));
             return true;
         }
@@ -212,8 +375,13 @@ void LectureWindow::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Period:
             setBlank(!m_blank);
             break;
+        case Qt::Key_R:
+            reveal(!m_revealed);
+            break;
+        case Qt::Key_P:
+            m_spot->setOn(!m_spot->on() && !m_blank);
+            break;
         case Qt::Key_Escape:
-        case Qt::Key_F5:
             close();
             break;
         default:
@@ -222,6 +390,9 @@ void LectureWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 void LectureWindow::closeEvent(QCloseEvent* event) {
+    m_spot->setOn(false);
+    // Panes that go back take other sizes, and changes that follow from that are no reason to borrow them again.
+    disconnect(&m_session, nullptr, this, nullptr);
     giveBack();
     emit left();
     QWidget::closeEvent(event);

@@ -67,6 +67,11 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     m_middle->addWidget(m_pathBar);
     connect(m_pathBar, &PathBar::saveRequested, m_paths, &PathCommands::save);
     m_papers = new PaperCommands(m_session, *m_actions, *m_experiments, m_document->undo(), this);
+    m_lessons = new LessonCommands(m_session, *m_views, *m_actions, *m_document, m_language, this);
+    m_lessonBar = new LessonBar(m_lessons->player(), m_language, m_stack->parentWidget());
+    m_middle->insertWidget(0, m_lessonBar);
+    m_presenter = new PresenterPage(m_lessons->player(), m_language, m_stack);
+    m_stack->addWidget(m_presenter);
     m_memory = std::make_unique<WindowMemory>(*this);
     wireCommands();
     wireSession();
@@ -141,6 +146,7 @@ void MainWindow::makeDocks() {
     m_structure = new StructurePanel(m_session, *m_reader, content);
     m_tabs = &m_structure->tabs();
     m_figures = new MetricsPanel(m_session, m_tabs);
+    m_figures->setObjectName(QStringLiteral("figures"));
     m_tabs->insertTab(0, m_figures, QString());
     m_tabs->setCurrentIndex(0);
     m_legend = new LegendPanel(m_session, content);
@@ -203,7 +209,16 @@ void MainWindow::makeStatusBar() {
 void MainWindow::wireCommands() {
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     m_document->setArrangement([this] { return arrangement(); });
+    m_document->opener().setWindowState([this](SessionState& state) {
+        state.inside = {m_structure->page(), m_structure->map().map().colouring()};
+    });
+    connect(&m_lessons->player(), &LessonPlayer::shown, this, [this](const LessonStep& step) {
+        showPanels(step.state);
+        // What the program itself set up is no progress of the user.
+        if (!m_lessons->player().active()) m_legend->startAnew();
+    });
     connect(&m_document->opener(), &SessionOpener::restored, this, [this](const SessionState& state) {
+        showPanels(state);
         if (state.arrangement == kLectureArrangement) beginLecture();
     });
     connect(m_empty, &EmptyState::openRequested, m_document, &DocumentCommands::openByDialog);
@@ -248,13 +263,14 @@ void MainWindow::wireSession() {
         m_answers->setVisible(!m_session.question());
         m_statistics->widget()->setVisible(!m_session.question());
     });
+    connect(m_legend, &LegendPanel::lessonRequested, this, [this] { m_lessons->player().begin(LessonPlayer::known().front()); });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }
 
 void MainWindow::showState() {
     const OpenedScenePointer& opened = m_session.opened();
-    m_stack->setCurrentWidget(opened ? static_cast<QWidget*>(m_views) : m_empty);
+    m_stack->setCurrentWidget(m_lecture ? m_presenter : opened ? static_cast<QWidget*>(m_views) : m_empty);
     for (QAction* action : m_actions->views->actions())
         action->setChecked(action->data().toString().toInt() == m_session.viewCount());
     (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true);
@@ -278,6 +294,7 @@ void MainWindow::fixBarHeights() {
 void MainWindow::retranslate() {
     m_actions->retranslate();
     m_document->retranslate();
+    m_lessons->retranslate();
     m_dock->setWindowTitle(tr("Inside"));
     m_dock->toggleViewAction()->setToolTip(tr("Inside: what the strategy decided, and why"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
@@ -310,19 +327,6 @@ void MainWindow::showHelp() {
     open->show();
     open->raise();
     open->activateWindow();
-}
-
-void MainWindow::beginLecture() {
-    if (m_lecture || !m_session.opened()) return;
-    auto* legend = new LegendPanel(m_session);
-    legend->showToAudience();
-    m_lecture = new LectureWindow(m_session, *m_views, legend, this);
-    connect(m_lecture, &LectureWindow::left, this, [this] {
-        m_lecture->deleteLater();
-        m_lecture = nullptr;
-    });
-    m_lecture->setStepper(&m_steps->stepper());
-    m_lecture->begin();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -8,6 +8,7 @@
 #include "ui/look/appearance.h"
 #include "ui/panels/empty_state.h"
 #include "ui/panels/legend_panel.h"
+#include "ui/panels/lesson_bar.h"
 #include "ui/panels/loading_strip.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/metrics_panel.h"
@@ -25,9 +26,11 @@
 #include "ui/window/document_commands.h"
 #include "ui/window/floating_docks.h"
 #include "ui/window/lecture_window.h"
+#include "ui/window/lesson_commands.h"
 #include "ui/window/paper_commands.h"
 #include "ui/window/path_commands.h"
 #include "ui/window/placed_panels.h"
+#include "ui/window/presenter_page.h"
 #include "ui/window/side_panel.h"
 #include "ui/window/statistics_dock.h"
 #include "ui/window/step_commands.h"
@@ -71,6 +74,9 @@ public:
     [[nodiscard]] QuestionBar& questionBar() { return *m_questionBar; }
     [[nodiscard]] QuestionTree& questionTree() { return *m_questionTree; }
     [[nodiscard]] PaperCommands& papers() { return *m_papers; }
+    [[nodiscard]] LessonCommands& lessons() { return *m_lessons; }
+    [[nodiscard]] PresenterPage& presenter() { return *m_presenter; }
+    [[nodiscard]] LessonBar& lessonBar() { return *m_lessonBar; }
 
     /// Restores geometry, panels and, if `viewCount`, the number of views from the last start. Returns false if none are stored.
     bool restoreLayout(bool viewCount);
@@ -105,6 +111,8 @@ private:
     /// The id of the window's arrangement, as stored in sessions and settings.
     [[nodiscard]] QString arrangement() const;
     void showState();
+    /// What a state says of the window's panels and of stepping.
+    void showPanels(const SessionState& state);
     void retranslate();
     void generate(int generator);
     void beginLecture();
@@ -116,6 +124,7 @@ private:
     WindowActions* m_actions;
     QToolBar* m_toolBar;
     MessageBar* m_message;
+    QVBoxLayout* m_middle = nullptr;  ///< the views with what lies over and under them
     QStackedWidget* m_stack;
     EmptyState* m_empty;
     ViewGrid* m_views;
@@ -143,6 +152,9 @@ private:
     DocumentCommands* m_document;
     PathCommands* m_paths;
     PaperCommands* m_papers;
+    LessonCommands* m_lessons;
+    LessonBar* m_lessonBar;
+    PresenterPage* m_presenter = nullptr;
     MetricsPanel* m_figures;
     ScenePanel* m_scene;
     LegendPanel* m_legend;

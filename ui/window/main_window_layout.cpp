@@ -32,6 +32,30 @@ QString MainWindow::arrangement() const {
     return QLatin1String(m_session.viewCount() > 2 ? kCompareArrangement : kExploreArrangement);
 }
 
+void MainWindow::beginLecture() {
+    if (!m_session.opened()) return;
+    if (m_lecture) return void(m_lecture->close());
+    auto* structure = new StructurePanel(m_session, *m_reader);
+    structure->showPage(m_structure->page());
+    m_lecture = new LectureWindow(m_session, *m_views, structure, this);
+    connect(m_lecture, &LectureWindow::left, this, [this] {
+        m_lecture->deleteLater();
+        m_lecture = nullptr;
+        showState();
+    });
+    m_lecture->setStepper(&m_steps->stepper());
+    m_lecture->setLessons(&m_lessons->player(), &m_language);
+    m_lecture->begin();
+    m_presenter->begin();
+    showState();
+}
+
+void MainWindow::showPanels(const SessionState& state) {
+    state.place ? stepper().startAt(*state.place) : stepper().stop();
+    if (!state.inside.map.empty()) m_structure->map().setColouring(state.inside.map);
+    if (!state.inside.page.empty()) m_structure->showPage(state.inside.page);
+}
+
 bool MainWindow::restoreLayout(bool viewCount) {
     const std::optional<WindowMemory::Layout> kept = m_memory->restore();
     if (!kept) return false;

@@ -1,6 +1,7 @@
 #include "ui/window/placed_panels.h"
 
 #include <QScrollArea>
+#include <algorithm>
 
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/metrics_panel.h"
@@ -47,8 +48,29 @@ QWidget* PlacedPanels::make(const std::string& id) const {
     return scene;
 }
 
+std::vector<PlaceablePanel> PlacedPanels::knownBelow() { return {{"map", tr("Map of directions")}}; }
+
+void PlacedPanels::placeBelow(int view) {
+    ViewPane& pane = m_views.pane(view);
+    const std::string& wanted = m_session.setup(view).below;
+    const bool known = std::ranges::any_of(knownBelow(), [&](const PlaceablePanel& panel) { return panel.id == wanted; });
+    if (known == (pane.strip() != nullptr)) return;
+    MapPanel* map = nullptr;
+    if (known) {
+        auto* reader = new SnapshotReader(m_session, &pane, view);
+        map = new MapPanel(m_session, *reader, &pane);
+        map->setBrief();
+        reader->readFor(map);
+        // After the panel, which knows it.
+        connect(map, &QObject::destroyed, reader, &QObject::deleteLater);
+    }
+    pane.setStrip(map);
+    m_views.arrange();
+}
+
 void PlacedPanels::place() {
     for (int view = 0; view < Session::kMostViews; ++view) {
+        placeBelow(view);
         ViewPane& pane = m_views.pane(view);
         const std::string& wanted = m_session.setup(view).panel;
         const QString placed = pane.panel() ? pane.panel()->objectName() : QString();

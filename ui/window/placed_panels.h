@@ -20,9 +20,12 @@ public:
     [[nodiscard]] static std::vector<PlaceablePanel> known();
     /// Makes the panel with that id; null: the id is unknown.
     [[nodiscard]] QWidget* make(const std::string& id) const;
+    /// The panels for the strip below a picture, each about its own view.
+    [[nodiscard]] static std::vector<PlaceablePanel> knownBelow();
 
 private:
     void place();
+    void placeBelow(int view);
 
     Session& m_session;
     ViewGrid& m_views;

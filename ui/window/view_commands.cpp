@@ -2,6 +2,7 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
+#include <algorithm>
 
 #include "ui/dialogs/size_dialog.h"
 #include "ui/session/cullbench_command.h"
@@ -19,12 +20,10 @@ ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& act
                            QWidget* window)
     : QObject(window), m_session(session), m_views(views), m_actions(actions), m_window(window), m_screenshots(screenshots) {
     wire();
-    const auto mine = [this](int view) {
-        if (view == m_session.activeView()) refresh();
-    };
     connect(&session, &Session::activeViewChanged, this, &ViewCommands::refresh);
     connect(&session, &Session::sceneChanged, this, &ViewCommands::refresh);
-    connect(&session, &Session::setupChanged, this, mine);
+    connect(&session, &Session::setupChanged, this, &ViewCommands::refresh);
+    connect(&session, &Session::viewCountChanged, this, &ViewCommands::refresh);
     connect(&session, &Session::metricsChanged, this, &ViewCommands::refresh);
     connect(&views, &ViewGrid::menuRequested, this, &ViewCommands::showMenuOf);
     refresh();
@@ -38,6 +37,7 @@ void ViewCommands::edit(const std::function<void(ViewSetup&)>& change) {
 
 void ViewCommands::wire() {
     connect(m_actions.freeze, &QAction::triggered, this, [this](bool on) { m_session.setFrozen(m_session.activeView(), on); });
+    connect(m_actions.watch, &QAction::triggered, this, &ViewCommands::watch);
     for (const auto& [show, action] : m_actions.shows)
         connect(action, &QAction::triggered, this,
                 [this, show = show](bool on) { edit([&](ViewSetup& setup) { setup.look.showWithAll(*show, on); }); });
@@ -61,6 +61,34 @@ void ViewCommands::wire() {
     });
 }
 
+std::optional<int> ViewCommands::watcher() const {
+    const int culling = m_session.culledBy(m_session.activeView());
+    for (const int view : m_session.shownViews())
+        if (view != culling && m_session.culledBy(view) == culling) return view;
+    return std::nullopt;
+}
+
+void ViewCommands::watch(bool on) {
+    const int culling = m_session.culledBy(m_session.activeView());
+    if (const std::optional<int> view = watcher(); view && !on) {
+        ViewSetup setup = m_session.setup(*view);
+        setup.role = Role::Linked;
+        setup.look = {};
+        m_session.setSetup(*view, setup);
+    } else if (!view && on) {
+        if (m_session.viewCount() < 2) m_session.setViewCount(2);
+        const std::vector<int> shown = m_session.shownViews();
+        const auto place = std::find(shown.begin(), shown.end(), culling);
+        const int other = place == shown.end() || place + 1 == shown.end() ? shown.front() : *(place + 1);
+        if (other == culling) return;
+        m_session.observe(other, culling);
+        ViewSetup setup = m_session.setup(other);
+        setup.look.watch();
+        m_session.setSetup(other, setup);
+    }
+    refresh();
+}
+
 void ViewCommands::refresh() {
     const int view = m_session.activeView();
     const ViewSetup& setup = m_session.setup(view);
@@ -68,6 +96,7 @@ void ViewCommands::refresh() {
     const bool model = scene && setup.look.inPlace();
     m_actions.setPictureUsable(scene, model);
     m_actions.freeze->setChecked(setup.role == Role::Frozen);
+    m_actions.watch->setChecked(scene && watcher().has_value());
     for (const auto& [show, action] : m_actions.shows) action->setChecked(setup.look.has(*show));
     m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
     m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);
@@ -94,7 +123,7 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
     filler.addComparisons();
     filler.addSizes([this, view] { askForSize(view); });
     filler.addUploads();
-    filler.addPanels(PlacedPanels::known());
+    filler.addPanels(PlacedPanels::known(), PlacedPanels::knownBelow());
     menu.addSeparator();
     menu.addAction(tr("Copy the picture"), this, [this, view] { copyPicture(view, true); });
     menu.addAction(tr("Copy the picture without what lies over it"), this, [this, view] { copyPicture(view, false); });

@@ -27,6 +27,9 @@ private:
     /// Changes the active view's setup.
     void edit(const std::function<void(ViewSetup&)>& change);
     void askForSize(int view);
+    /// A shown view that watches the culling of the active one from outside; none: there is none.
+    [[nodiscard]] std::optional<int> watcher() const;
+    void watch(bool on);
     void wire();
 
     Session& m_session;

@@ -146,11 +146,15 @@ void ViewMenu::addUploads() {
     }
 }
 
-void ViewMenu::addPanels(const std::vector<PlaceablePanel>& panels) {
+void ViewMenu::addPanels(const std::vector<PlaceablePanel>& panels, const std::vector<PlaceablePanel>& below) {
     QMenu* menu = m_menu.addMenu(tr("In this place"));
     change(*menu, tr("Picture"), setup().panel.empty(), [](ViewSetup& setup) { setup.panel.clear(); });
     for (const PlaceablePanel& panel : panels)
         change(*menu, panel.name, setup().panel == panel.id, [id = panel.id](ViewSetup& setup) { setup.panel = id; });
+    QMenu* strip = m_menu.addMenu(tr("Below the picture"));
+    change(*strip, tr("Nothing"), setup().below.empty(), [](ViewSetup& setup) { setup.below.clear(); });
+    for (const PlaceablePanel& panel : below)
+        change(*strip, panel.name, setup().below == panel.id, [id = panel.id](ViewSetup& setup) { setup.below = id; });
 }
 
 }  // namespace cullscope::ui

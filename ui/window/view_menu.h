@@ -27,7 +27,7 @@ public:
     void addComparisons();
     void addSizes(const std::function<void()>& askForSize);
     void addUploads();
-    void addPanels(const std::vector<PlaceablePanel>& panels);
+    void addPanels(const std::vector<PlaceablePanel>& panels, const std::vector<PlaceablePanel>& below);
 
 private:
     [[nodiscard]] int view() const { return m_pane.view(); }

@@ -36,7 +36,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     upAxis = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu : {&generate, &builtInPaths, &recent, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu,
+    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu,
                          &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
@@ -58,6 +58,14 @@ void WindowActions::makeFile() {
     screenshotNow = command(Qt::Key_F12);
     screenshotBare = command(QKeySequence(Qt::CTRL | Qt::Key_F12));
     quit = command(QKeySequence::Quit);
+    openLesson = command({});
+    addLessonStep = command({});
+    handout = command({});
+    lessonOn = command(Qt::Key_PageDown);
+    lessonBack = command(Qt::Key_PageUp);
+    lessonFirst = command(QKeySequence(Qt::CTRL | Qt::Key_Home));
+    lessonLast = command(QKeySequence(Qt::CTRL | Qt::Key_End));
+    leaveLesson = command({});
     undo = command(QKeySequence::Undo, QStringLiteral("undo"));
     redo = command(QKeySequence::Redo, QStringLiteral("redo"));
 }
@@ -66,6 +74,7 @@ void WindowActions::makeView() {
     oneView = option(views, QStringLiteral("1"), Qt::CTRL | Qt::Key_1, QStringLiteral("one-view"));
     twoViews = option(views, QStringLiteral("2"), Qt::CTRL | Qt::Key_2, QStringLiteral("two-views"));
     fourViews = option(views, QStringLiteral("4"), Qt::CTRL | Qt::Key_4, QStringLiteral("four-views"));
+    sixViews = option(views, QStringLiteral("6"), Qt::CTRL | Qt::Key_6, QStringLiteral("six-views"));
     eightViews = option(views, QStringLiteral("8"), Qt::CTRL | Qt::Key_8, QStringLiteral("eight-views"));
     home = command(Qt::Key_Home, QStringLiteral("home"));
     frame = command(Qt::Key_Period, QStringLiteral("frame"));
@@ -89,6 +98,7 @@ void WindowActions::makeView() {
 
 void WindowActions::makePicture() {
     freeze = toggle(Qt::Key_F, QStringLiteral("freeze"));
+    watch = toggle(Qt::Key_O);
     for (const Show* show : pictureShows())
         if (!show->action.empty())
             shows.emplace_back(show, toggle(QKeySequence(QString::fromStdString(show->key)), QString::fromStdString(show->icon)));
@@ -103,8 +113,8 @@ void WindowActions::makePicture() {
     openPath = command({});
     play = toggle(Qt::Key_Space);
     stop = command({});
-    poseOn = command(QKeySequence(Qt::CTRL | Qt::Key_Right));
-    poseBack = command(QKeySequence(Qt::CTRL | Qt::Key_Left));
+    poseOn = command(QKeySequence(Qt::ALT | Qt::Key_Right));
+    poseBack = command(QKeySequence(Qt::ALT | Qt::Key_Left));
 }
 
 QAction* WindowActions::command(const QKeySequence& shortcut, const QString& icon) {
@@ -153,6 +163,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(open);
     m_fileMenu->addMenu(recent);
     m_fileMenu->addMenu(generate);
+    m_fileMenu->addMenu(lessons);
     m_fileMenu->addSeparator();
     m_fileMenu->addActions({saveSession, saveSessionAs});
     m_fileMenu->addSeparator();
@@ -172,7 +183,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addAction(freeze);
+    m_pictureMenu->addActions({freeze, watch});
     for (const auto& [show, action] : shows) m_pictureMenu->addAction(action);
     m_pictureMenu->addAction(axes);
     m_pictureMenu->setToolTipsVisible(true);
@@ -261,7 +272,7 @@ QString WindowActions::modelStandsInPlace() {
 }
 
 void WindowActions::setPictureUsable(bool scene, bool model) {
-    for (QAction* action : {freeze, loupe}) action->setEnabled(scene);
+    for (QAction* action : {freeze, watch, loupe}) action->setEnabled(scene);
     for (const auto& [show, action] : shows)
         if (show->inPlace()) action->setEnabled(scene);
     for (QAction* action : ofCameraPictures()) action->setEnabled(scene && !model);
@@ -275,6 +286,15 @@ void WindowActions::retranslateFile() {
     generate->menuAction()->setIconText(withoutMnemonic(generate->title()));
     generate->setIcon(tintedIcon(QStringLiteral("generate")));
     recent->setTitle(tr("Open &recent"));
+    lessons->setTitle(tr("&Lessons"));
+    say(openLesson, tr("&Open a lesson…"), tr("Open a lesson's file"));
+    say(addLessonStep, tr("&Add as step…"), tr("Add what the window shows to a lesson of your own"));
+    say(handout, tr("&Handout…"), tr("Save all steps of the lesson as a PDF or HTML file: picture, sentence and figures"));
+    say(lessonOn, tr("Next step"), tr("Go on to the lesson's next step"));
+    say(lessonBack, tr("Step before"), tr("Go back to the lesson's step before"));
+    say(lessonFirst, tr("First step"), tr("Go to the lesson's first step"));
+    say(lessonLast, tr("Last step"), tr("Go to the lesson's last step"));
+    say(leaveLesson, tr("&Leave the lesson"), tr("Leave the lesson: what is shown stays"));
     say(open, tr("&Open…"), tr("Open a mesh file, a session, or a picture that Cullscope took"));
     say(saveSession, tr("&Save the session"), tr("Save scene, views, strategies and cameras as a file"));
     say(saveSessionAs, tr("Save the session &as…"), tr("Save the session under another name"));
@@ -292,6 +312,7 @@ void WindowActions::retranslateView() {
     say(oneView, tr("&1 view"), tr("Show one view"));
     say(twoViews, tr("&2 views"), tr("Show two views beside each other"));
     say(fourViews, tr("&4 views"), tr("Compare four views"));
+    say(sixViews, tr("&6 views"), tr("Compare six views: three columns"));
     say(eightViews, tr("&8 views"), tr("Compare eight views"));
     say(home, tr("&Home"), tr("Back to the first view of the scene"));
     say(frame, tr("&Frame the scene"), tr("Show the whole scene from the present direction"));
@@ -317,6 +338,7 @@ void WindowActions::retranslateView() {
 
 void WindowActions::retranslatePicture() {
     say(freeze, tr("&Freeze culling"), tr("The culling camera stands while you fly on in the active view"));
+    say(watch, tr("&Watch from outside"), tr("Another view shows from outside what the active view culls; again: it is linked"));
     for (const auto& [show, action] : shows) say(action, translated(show->action), translated(show->explanation));
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));
     say(loss, tr("&Missed pixels"), tr("Mark the pixels that the strategy missed or added"));

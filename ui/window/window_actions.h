@@ -34,10 +34,13 @@ public:
     // File
     QAction *open, *saveSession, *saveSessionAs, *screenshot, *screenshotNow, *screenshotBare, *quit;
     QMenu *generate, *recent;
+    QMenu* lessons;
+    QAction *openLesson, *addLessonStep, *handout;
+    QAction *lessonOn, *lessonBack, *lessonFirst, *lessonLast, *leaveLesson;  ///< only in a lesson
     // Edit: the undo recorder sets their texts, which name the step
     QAction *undo, *redo;
     // View
-    QAction *oneView, *twoViews, *fourViews, *eightViews;
+    QAction *oneView, *twoViews, *fourViews, *sixViews, *eightViews;
     QAction *home, *frame;
     QAction *upY, *upZ;
     QAction *stepThrough, *questionFirst;
@@ -49,7 +52,7 @@ public:
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
-    QAction *freeze, *truth, *loss, *nextLoss, *loupe, *axes;
+    QAction *freeze, *watch, *truth, *loss, *nextLoss, *loupe, *axes;
     /// What a picture shows or not (visibility/show.h), in the order of the menu.
     std::vector<std::pair<const Show*, QAction*>> shows;
     [[nodiscard]] QAction* show(const std::string& id) const;

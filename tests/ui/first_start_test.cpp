@@ -1,0 +1,77 @@
+// What a first start shows: something lost beside nothing lost, and one next action.
+#include "tests/ui/test_scene.h"
+#include "ui/window/main_window.h"
+
+namespace cullscope::ui::first_start_test {
+namespace {
+
+struct FirstStart : ::testing::Test {
+    void SetUp() override {
+        window.resize(1366, 768);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+        window.lessons().player().show(LessonPlayer::firstStep(2));
+        settle();
+    }
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] {
+            return !session.loader().loading() && session.buffers() && !session.slot(0).building() &&
+                   !session.slot(1).building() && session.metricsSettled() && !session.pictures()->busy();
+        }));
+        QApplication::processEvents();
+    }
+
+    Session session{sessionOptions(true)};
+    Language language;
+    Appearance appearance;
+    MainWindow window{session, language, appearance};
+};
+
+TEST_F(FirstStart, leftSomethingIsLostAndRightNothing) {
+    EXPECT_EQ(session.shownViews(), (std::vector{0, 1}));
+    EXPECT_EQ(session.figures(0).promise, Promise::Approximate);
+    EXPECT_EQ(session.figures(1).promise, Promise::Conservative);
+    EXPECT_GT(session.figures(0).lostPixels(), 0u);
+    EXPECT_EQ(session.figures(1).lostPixels(), 0u);
+    ASSERT_FALSE(session.figures(0).holes.empty());
+    EXPECT_GE(session.figures(0).holes.front().pixels, 30u) << "a hole that can be seen";
+    EXPECT_FALSE(window.views().pane(0).header().elided());
+    EXPECT_FALSE(window.views().pane(1).header().elided());
+    EXPECT_FALSE(window.lessonBar().isVisible());
+}
+
+TEST_F(FirstStart, oneKeyWatchesFromOutsideWithObjectAndFrustumInThePicture) {
+    session.setActiveView(0);
+    window.actions().watch->trigger();
+    settle();
+    EXPECT_EQ(session.culledBy(1), 0);
+    const View view(session.viewingCamera(1), session.renderSize(1));
+    const auto inPicture = [&](const Vec3& point) {
+        const Vec4 clip = view.clipFromEyeRelative() * Vec4(point - view.eye(), 1.0);
+        return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
+    };
+    EXPECT_TRUE(inPicture(session.cullingCamera(1).eye)) << "the tip of the frustum";
+    const Sphere sphere = session.scene()->boundingSphere();
+    for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
+        for (const double side : {-1.0, 1.0}) EXPECT_TRUE(inPicture(sphere.centre + side * sphere.radius * way));
+    window.actions().watch->trigger();
+    EXPECT_EQ(session.culledBy(1), 1);
+    EXPECT_EQ(session.slot(1).built()->promise(), Promise::Conservative) << "the strategy beside is there again";
+}
+
+TEST_F(FirstStart, nextActionLeadsToTheFirstLesson) {
+    QLabel* next = nullptr;
+    for (QLabel* label : window.legend().findChildren<QLabel*>())
+        if (label->text() == window.legend().nextAction()) next = label;
+    ASSERT_TRUE(next);
+    EXPECT_TRUE(next->isVisible());
+    EXPECT_TRUE(next->text().contains(QStringLiteral("lesson 1"))) << next->text().toStdString();
+    emit next->linkActivated(QStringLiteral("lesson"));
+    ASSERT_TRUE(window.lessons().player().active());
+    EXPECT_EQ(window.lessons().player().lesson().title, LessonPlayer::titleOf(LessonPlayer::known().front()));
+    EXPECT_FALSE(window.legend().nextAction().contains(QStringLiteral("lesson 1")));
+    settle();
+}
+
+}  // namespace
+}  // namespace cullscope::ui::first_start_test

@@ -1,0 +1,192 @@
+// The lecture's window: it shows what the main window shows, its keys work in it, and figures come when they are asked for.
+#include <gmock/gmock.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "tests/ui/lesson_window.h"
+
+namespace cullscope::ui::lecture_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+struct Lecture : Lessons {
+    void SetUp() override {
+        Lessons::SetUp();
+        openAndWait(session, QStringLiteral("torus:triangles=2000"));
+    }
+    /// View A by a strategy, and view B that watches it.
+    void watch(const char* strategy) {
+        session.slot(0).choose(strategy);
+        session.observe(1, 0);
+        ViewSetup setup = session.setup(1);
+        setup.look.watch();
+        session.setSetup(1, setup);
+        session.setActiveView(0);
+    }
+    LectureWindow& begin() {
+        window.actions().lecture->trigger();
+        window.lecture()->showNormal();
+        window.lecture()->resize(1280, 720);
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.lecture(), kPatience));
+        EXPECT_TRUE(waitUntil([&] { return drawn(); }));
+        return *window.lecture();
+    }
+    bool drawn() {
+        for (const int view : session.shownViews())
+            if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
+        return session.buffers() && !session.pictures()->busy();
+    }
+};
+
+TEST_F(Lecture, aViewAndItsObserverStandBesideMapAndListing) {
+    watch("spherical");
+    LectureWindow& lecture = begin();
+    EXPECT_TRUE(picture(0).isVisible());
+    EXPECT_TRUE(picture(1).isVisible());
+    EXPECT_EQ(picture(0).window(), &lecture);
+    EXPECT_EQ(picture(1).window(), &lecture);
+    EXPECT_GT(picture(0).width(), picture(1).width());
+    EXPECT_TRUE(lecture.structure().map().isVisible());
+    lecture.structure().showPage("listing");
+    EXPECT_TRUE(lecture.structure().listing().isVisible());
+    session.slot(0).choose("bsp");
+    EXPECT_FALSE(lecture.structure().map().isVisible()) << "a strategy without a map leaves no empty place";
+    EXPECT_TRUE(lecture.legend().words().contains(QStringLiteral("drawn and visible")));
+    session.setViewCount(4);
+    ASSERT_TRUE(waitUntil([&] { return drawn(); }));
+    for (const int view : {0, 1, 2, 3}) EXPECT_EQ(picture(view).window(), &lecture) << view;
+    lecture.close();
+    ASSERT_TRUE(waitUntil([&] { return !window.lecture(); }));
+    for (const int view : {0, 1, 2, 3}) EXPECT_EQ(picture(view).window(), &window) << view;
+}
+
+TEST_F(Lecture, keysOfTheWindowWorkInIt) {
+    watch("spherical");
+    begin();
+    QWidget* view = &picture(0);
+    QTest::keyClick(view, Qt::Key_V);
+    EXPECT_TRUE(session.setup(0).look.has(Show::Kind::Verdicts));
+    QTest::keyClick(view, Qt::Key_T);
+    EXPECT_EQ(session.setup(0).wipe.mode, Wipe::Mode::Truth);
+    QTest::keyClick(view, Qt::Key_M);
+    EXPECT_EQ(session.setup(0).wipe.mode, Wipe::Mode::Loss);
+    QTest::keyClick(view, Qt::Key_F);
+    EXPECT_EQ(session.setup(0).role, Role::Frozen);
+    QTest::keyClick(view, Qt::Key_F);
+    EXPECT_EQ(session.setup(0).role, Role::Linked);
+    ASSERT_TRUE(waitUntil([&] { return drawn(); }));
+    QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(view->width() / 2 - view->height() / 3, view->height() / 2));
+    EXPECT_TRUE(waitUntil([&] { return session.pick().has_value(); })) << "a click picks";
+    QTest::keyClick(view, Qt::Key_F8);
+    ASSERT_TRUE(waitUntil([&] { return window.stepper().place() != nullptr; }));
+    QTest::keyClick(view, Qt::Key_PageDown);
+    EXPECT_EQ(window.stepper().place()->step(), 1u);
+    QTest::keyClick(view, Qt::Key_F8);
+    EXPECT_FALSE(window.stepper().active());
+    QTest::keyClick(view, Qt::Key_F5);
+    EXPECT_TRUE(waitUntil([&] { return !window.lecture(); })) << "F5 leaves, too";
+}
+
+TEST_F(Lecture, figuresComeWhenTheyAreAskedForAndGoWithTheNextStep) {
+    const auto numbers = [](const QWidget& widget) {
+        QStringList words;
+        for (const QLabel* label : widget.findChildren<QLabel*>())
+            if (label->isVisible() && label->text().startsWith(QStringLiteral("Missed:"))) words << label->text();
+        return words;
+    };
+    player().begin(QStringLiteral("frustum"));
+    go(0);
+    LectureWindow& lecture = begin();
+    EXPECT_TRUE(numbers(lecture).isEmpty());
+    EXPECT_FALSE(lecture.revealed());
+    QTest::keyClick(&lecture, Qt::Key_R);
+    EXPECT_TRUE(lecture.revealed());
+    EXPECT_EQ(numbers(lecture).size(), 1);
+    QTest::keyClick(&lecture, Qt::Key_PageDown);
+    EXPECT_EQ(player().step(), 1);
+    EXPECT_FALSE(lecture.revealed());
+    EXPECT_TRUE(numbers(lecture).isEmpty());
+    EXPECT_EQ(lecture.sentence().toStdString(), textIn(player().current().sentence, "en"));
+}
+
+TEST_F(Lecture, pointerIsABrightSpotThatFollowsTheMouse) {
+    LectureWindow& lecture = begin();
+    EXPECT_FALSE(lecture.spot().isVisible());
+    QTest::keyClick(&lecture, Qt::Key_P);
+    ASSERT_TRUE(lecture.spot().isVisible());
+    const QPoint place(picture(0).width() / 2, picture(0).height() / 2);
+    QTest::mouseMove(&picture(0), place);
+    EXPECT_TRUE(waitUntil([&] { return lecture.spot().place() == picture(0).mapTo(&lecture, place); }));
+    EXPECT_TRUE(lecture.spot().testAttribute(Qt::WA_TransparentForMouseEvents));
+    QTest::keyClick(&lecture, Qt::Key_B);
+    EXPECT_FALSE(lecture.spot().isVisible()) << "a blank screen has no spot";
+    QTest::keyClick(&lecture, Qt::Key_B);
+    EXPECT_FALSE(lecture.spot().isVisible());
+}
+
+TEST_F(Lecture, presenterHasTheNotesAndTheNextSentenceInTheFirstWindow) {
+    player().begin(
+        lessonFromText("title en A\nstep\nsay en One.\nnote en Ask first.\nscene torus:triangles=2000\n"
+                       "step\nsay en Two.\n",
+                       "/nowhere/a.lesson"));
+    go(0);
+    begin();
+    PresenterPage& page = window.presenter();
+    EXPECT_TRUE(page.isVisible());
+    EXPECT_EQ(page.now(), QStringLiteral("One."));
+    EXPECT_EQ(page.notes(), QStringLiteral("Ask first."));
+    EXPECT_EQ(page.next(), QStringLiteral("Two."));
+    player().forward();
+    EXPECT_EQ(page.now(), QStringLiteral("Two."));
+    window.lecture()->close();
+    ASSERT_TRUE(waitUntil([&] { return !window.lecture(); }));
+    EXPECT_FALSE(page.isVisible());
+}
+
+/// Figures are measured, in one round.
+struct Handout : ::testing::Test {
+    Session session{sessionOptions(true)};
+    Language language;
+    Appearance appearance;
+    MainWindow window{session, language, appearance};
+};
+
+TEST_F(Handout, hasEveryStepWithPictureSentenceAndFigures) {
+    window.resize(1280, 720);
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+    const QTemporaryDir folder;
+    LessonPlayer& player = window.lessons().player();
+    player.begin(lessonFromText("title en A lesson\nstep\nsay en One & only.\nnote en Ask first.\nscene torus:triangles=2000\n"
+                                "A.strategy frustum\nstep\nsay en Two.\nview_count 4\nstep\nsay en Three.\n",
+                                "/nowhere/a.lesson"),
+                 1);
+    LessonHandout& handout = window.lessons().handout();
+    QSignalSpy done(&handout, &LessonHandout::done), failed(&handout, &LessonHandout::failed);
+    const QString html = folder.filePath(QStringLiteral("a.html")), pdf = folder.filePath(QStringLiteral("a.pdf"));
+    for (const QString& file : {html, pdf}) {
+        done.clear();
+        handout.make(file);
+        ASSERT_TRUE(waitUntil([&] { return !done.isEmpty() || !failed.isEmpty(); }));
+        ASSERT_TRUE(failed.isEmpty());
+        EXPECT_EQ(player.step(), 1) << "the step that was in hand is shown again";
+    }
+    QFile page(html);
+    ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+    const std::string text = page.readAll().toStdString();
+    for (const char* words : {"1. One &amp; only.", "2. Two.", "3. Three.", "Ask first.", "A: View-frustum culling", "missed"})
+        EXPECT_THAT(text, HasSubstr(words));
+    size_t pictures = 0;
+    for (size_t at = text.find("data:image/png"); at != std::string::npos; at = text.find("data:image/png", at + 1)) ++pictures;
+    EXPECT_EQ(pictures, 3u);
+    QFile printed(pdf);
+    ASSERT_TRUE(printed.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(printed.readAll().startsWith("%PDF"));
+    handout.make(folder.filePath(QStringLiteral("a.doc")));
+    EXPECT_EQ(failed.size(), 1);
+}
+
+}  // namespace
+}  // namespace cullscope::ui::lecture_test

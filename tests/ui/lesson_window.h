@@ -1,0 +1,60 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/test_scene.h"
+#include "ui/window/main_window.h"
+
+namespace cullscope::ui {
+
+/// Nothing is measured within a test's patience.
+inline Session::Options withoutMeasuring() {
+    Session::Options options = sessionOptions(true);
+    options.restBeforeMeasuring = 100 * kPatience;
+    return options;
+}
+
+/// A window in which lessons are shown, and what it says.
+struct Lessons : ::testing::Test {
+    Lessons() {
+        QObject::connect(&session, &Session::messageRaised, [this](Severity severity, const Message& message) {
+            if (severity != Severity::Information) said.push_back(message.english());
+        });
+    }
+    void SetUp() override {
+        window.resize(1280, 720);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+    }
+
+    LessonPlayer& player() { return window.lessons().player(); }
+    SceneView& picture(int view) { return window.views().pane(view).picture(); }
+
+    [[nodiscard]] bool onScreen() {
+        if (player().opening() || session.loader().loading() || !session.buffers()) return false;
+        for (const int view : session.shownViews())
+            if (session.slot(session.culledBy(view)).building() || !session.viewRequest(view) ||
+                !session.pictures()->isCurrent(view))
+                return false;
+        return !player().current().state.place || session.step();
+    }
+    void go(int step) {
+        player().go(step);
+        ASSERT_TRUE(waitUntil([this] { return onScreen(); }))
+            << player().lesson().title.at("en") << ", step " << step + 1 << (said.empty() ? "" : ": " + said.back());
+        QApplication::processEvents();
+    }
+    void begin(const QString& name) {
+        player().begin(name);
+        ASSERT_TRUE(player().active()) << (said.empty() ? "" : said.back());
+        go(0);
+    }
+
+    Session session{withoutMeasuring()};
+    Language language;
+    Appearance appearance;
+    MainWindow window{session, language, appearance};
+    std::vector<std::string> said;
+};
+
+}  // namespace cullscope::ui

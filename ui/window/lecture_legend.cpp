@@ -1,0 +1,107 @@
+#include "ui/window/lecture_legend.h"
+
+#include <QLabel>
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/look/plane_swatch.h"
+#include "ui/look/verdict_swatch.h"
+#include "ui/statistics/flow_layout.h"
+#include "ui/text/translated.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kLegendGap = 18;
+
+/// A rectangle in the colour that is explained.
+class LegendSwatch : public QWidget {
+public:
+    LegendSwatch(const std::optional<TriangleState>& state, const QColor& colour, int size, QWidget* parent)
+        : QWidget(parent), m_state(state), m_colour(colour) {
+        setFixedSize(size, size);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const QRectF place = QRectF(rect()).adjusted(1, 1, -1, -1);
+        if (m_state)
+            drawVerdictSwatch(painter, place, *m_state, palette());
+        else
+            painter.fillRect(place, m_colour);
+    }
+
+private:
+    std::optional<TriangleState> m_state;
+    QColor m_colour;
+};
+
+}  // namespace
+
+LectureLegend::LectureLegend(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
+    new FlowLayout(this, kLegendGap);
+}
+
+std::vector<LectureLegend::Entry> LectureLegend::entriesOf(const std::vector<int>& views) const {
+    std::array<bool, kTriangleStateCount> states{};
+    bool planes = false, marks = false, differences = false;
+    for (const int view : views) {
+        const ViewSetup& setup = m_session.setup(view);
+        if (m_session.question()) break;
+        marks = marks || setup.wipe.mode == Wipe::Mode::Loss;
+        differences = differences || setup.wipe.mode == Wipe::Mode::Difference;
+        planes = planes || (setup.look.has(Show::Kind::Planes) && setup.look.has(Show::Kind::Boxes));
+        if (!setup.look.has(Show::Kind::Verdicts)) continue;
+        const ViewMetrics& figures = m_session.figures(view);
+        const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
+        for (const Show::Kind kind : {Show::Kind::Verdicts, Show::Kind::Left})
+            for (const TriangleState state : commonShow(kind).legend)
+                if (setup.look.has(kind) && (!known || figures.states->counts[size_t(state)] > 0)) states[size_t(state)] = true;
+        if (m_session.stepOf(view)) states[size_t(TriangleState::Undecided)] = true;
+    }
+    std::vector<Entry> entries;
+    for (size_t state = 0; state < states.size(); ++state)
+        if (states[state]) entries.push_back({translated(triangleStateName(TriangleState(state))), TriangleState(state), {}});
+    if (marks) {
+        entries.push_back({tr("missed pixels"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
+        entries.push_back({tr("pixels nearer than the truth"), {}, addedPixelColour()});
+    }
+    if (differences) entries.push_back({tr("pixels that differ"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
+    if (planes)
+        for (size_t plane = 0; plane < kFrustumPlaneCount; ++plane)
+            entries.push_back({translated(planeName(FrustumPlane(plane))), {}, planeColour(FrustumPlane(plane), palette())});
+    return entries;
+}
+
+void LectureLegend::explain(const std::vector<int>& views, int letters) {
+    std::vector<Entry> entries = entriesOf(views);
+    if (entries == m_entries && letters == m_letters) return;
+    m_entries = std::move(entries);
+    m_letters = letters;
+    for (QWidget* former : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) delete former;
+    QFont font = this->font();
+    font.setPixelSize(letters);
+    for (const Entry& entry : m_entries) {
+        auto* item = new QWidget(this);
+        auto* row = new QHBoxLayout(item);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->setSpacing(letters / 3);
+        row->addWidget(new LegendSwatch(entry.state, entry.colour, letters * 3 / 4, item));
+        auto* words = new QLabel(entry.words, item);
+        words->setFont(font);
+        row->addWidget(words);
+        layout()->addWidget(item);
+        item->show();
+    }
+    updateGeometry();
+}
+
+QStringList LectureLegend::words() const {
+    QStringList words;
+    for (const Entry& entry : m_entries) words << entry.words;
+    return words;
+}
+
+}  // namespace cullscope::ui
