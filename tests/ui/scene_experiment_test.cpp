@@ -114,7 +114,8 @@ TEST_F(Page, aNewerRunTakesThePlaceOfAnOlder) {
     tables.clear();
     results.clear();
     running.start(sweeps("orbit:3"), scene, 1);
-    ASSERT_TRUE(waitUntil([this] { return complete(); }));
+    // The end is told after the last result.
+    ASSERT_TRUE(waitUntil([this] { return complete() && ends > 0; }));
     for (const MeasureResult& result : results) EXPECT_EQ(result.request.path.name, "orbit:3") << "stale";
     EXPECT_EQ(ends, 1);
     running.start(sweeps("walk:5000"), scene, 1);

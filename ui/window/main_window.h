@@ -132,7 +132,6 @@ private:
     StepCommands* m_steps;
     StepBar* m_stepBar;
     PathBar* m_pathBar;
-    QVBoxLayout* m_middle;  ///< the views with the bars below them
     QuestionBar* m_questionBar;
     QuestionTree* m_questionTree;
     QWidget* m_answers;  ///< what a question hides
