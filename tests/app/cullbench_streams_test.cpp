@@ -104,7 +104,7 @@ TEST_F(CullbenchStreams, interruptBeforeTheFirstViewLeavesTheOldResult) {
 TEST_F(CullbenchStreams, closedTerminalKeepsWhatWasMeasuredUnlessItIsToBeIgnored) {
     const auto hungUp = [&](const std::string& prefix, const std::string& json) {
         return shell(prefix +
-                     "'" CULLBENCH "' measure sphere:triangles=20 -s all --path fibonacci:3000 --size 16x16 --repeat 1 --json " +
+                     "'" CULLBENCH "' measure sphere:triangles=20 -s all --path fibonacci:12000 --size 16x16 --repeat 1 --json " +
                      file(json) + " & p=$!; sleep 2; kill -HUP $p; wait $p");
     };
     EXPECT_EQ(hungUp("", "part.json").exitStatus, 130);

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string>
@@ -34,13 +35,17 @@ size_t peakBytesOf(const std::function<void()>& work) {
     if (pipe(ends.data()) != 0) return 0;
     const pid_t child = fork();
     if (child == 0) {
-        const size_t before = ownStatus("VmRSS");
+        const size_t before = ownStatus("VmRSS"), filesBefore = ownStatus("RssFile");
         try {
             work();
         } catch (...) {
             // What it took until then counts.
         }
-        const size_t taken = ownStatus("VmHWM") - before;
+        // Pages of the program's own file that are read meanwhile are not the work's: how many of them the kernel had dropped
+        // depends on what else runs.
+        const size_t files = ownStatus("RssFile") - std::min(filesBefore, ownStatus("RssFile"));
+        const size_t most = ownStatus("VmHWM") - before;
+        const size_t taken = most - std::min(files, most);
         _exit(write(ends[1], &taken, sizeof taken) == sizeof taken ? 0 : 1);
     }
     close(ends[1]);
