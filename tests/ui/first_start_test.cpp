@@ -66,6 +66,7 @@ TEST_F(FirstStart, nextActionLeadsToTheFirstLesson) {
     ASSERT_TRUE(next);
     EXPECT_TRUE(next->isVisible());
     EXPECT_TRUE(next->text().contains(QStringLiteral("lesson 1"))) << next->text().toStdString();
+    EXPECT_EQ(next->textFormat(), Qt::RichText) << "a link, and not its mark-up";
     emit next->linkActivated(QStringLiteral("lesson"));
     ASSERT_TRUE(window.lessons().player().active());
     EXPECT_EQ(window.lessons().player().lesson().title, LessonPlayer::titleOf(LessonPlayer::known().front()));

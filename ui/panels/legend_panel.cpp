@@ -67,6 +67,7 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
       m_next(new QLabel(this)) {
     m_heading = new QLabel(this);
     m_states = makeStates();
+    m_next->setTextFormat(Qt::RichText);  // sentences of this panel alone, one with a link
     m_next->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     connect(m_next, &QLabel::linkActivated, this, [this] {
         advance(Progress::Turn);
