@@ -94,8 +94,8 @@ struct Desktop {
 };
 
 void firstWindow(Desktop& desktop) {
-    showFirstViews(desktop.session, {});
-    desktop.open("bunny");
+    desktop.window.lessons().player().show(LessonPlayer::firstStep(2));
+    desktop.settle();
 }
 
 void inside(Desktop& desktop) {
