@@ -188,7 +188,7 @@ Outlook Tour::outlook(uint32_t place, const Vec3& direction) const {
     result.seen = std::move(objects);
     result.seen.insert(result.seen.end(), cells.begin(), cells.end());
     std::ranges::sort(result.seen);
-    result.seen.erase(std::ranges::unique(result.seen).begin(), result.seen.end());
+    result.seen.erase(std::unique(result.seen.begin(), result.seen.end()), result.seen.end());
     return result;
 }
 
