@@ -62,7 +62,7 @@ ScenePointer objectsOf(const Scene& scene, const Kept& kept) {
 
 TEST(FacingPicture, theReferenceShowsFrontsOfClosedObjectsAndBothSidesOfTheOthers) {
     uint64_t otherThanFront = 0, otherThanBoth = 0;
-    for (uint64_t seed = 1; seed <= howMany(100, 20); ++seed) {
+    for (uint64_t seed = 1; seed <= std::max<uint64_t>(20, howMany(100, 20)); ++seed) {
         const ScenePointer scene = mixedScene(seed);
         ASSERT_EQ(facingByObject(*scene), Facing::ByObject);
         const auto closed = [&](uint32_t i) { return scene->meshOf(i).topology().frontFacesSuffice(); };
@@ -126,7 +126,7 @@ TEST(FacingPicture, noStrategyThatPromisesItLosesAPixelOfMixedScenes) {
             }
         }
     }
-    EXPECT_GT(judged, 200u);
+    EXPECT_GT(judged, fewSamples() ? 50u : 200u);
 }
 
 TEST(FacingPicture, castleByObjectLosesNoPixel) {
