@@ -10,7 +10,7 @@
 
 namespace cullscope::cullbench {
 
-/// The program that reads standard output has ended: nobody is left to print for. Not an error.
+/// The program that reads standard output has ended: further output would be lost. Not an error.
 struct ReaderGone {};
 
 /// Prints a text as a terminal may show it (terminalText). What standard error does not take is lost: the exit status says what

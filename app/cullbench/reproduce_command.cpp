@@ -35,8 +35,8 @@ std::vector<const Experiment*> chosen(const std::string& id) {
     return experiments;
 }
 
-/// Each table is printed as soon as it is finished, because all of them take minutes. Where nobody reads on, the experiments go
-/// on for the files alone; without files, ReaderGone ends them.
+/// Each table is printed as soon as it is finished, because all of them take minutes. Where the reader has ended, the experiments
+/// go on for the files alone; without files, ReaderGone ends them.
 class TablePrinter {
 public:
     explicit TablePrinter(const TableFiles& files)

@@ -9,7 +9,7 @@ namespace cullscope {
 /// floor, and on most of that something around rises above it. False, and not computed, above kOptionalAnalysisLimit triangles.
 [[nodiscard]] bool isStoodIn(const Scene& scene);
 
-/// Poses as of somebody who stands in a scene (docs/command-line.md, "Camera paths"): above a floor, outside solids, no surface
+/// Poses of a visitor who stands in a scene (docs/command-line.md, "Camera paths"): above a floor, outside solids, no surface
 /// nearer than a part of the height above the floor; looking where many objects are to be seen, different ones from pose to pose,
 /// and where no flat surface and no object fills the picture. Ordered as a walk from place to place. The same for the same scene,
 /// however many threads there are. Where a scene has no such place, the poses are those of `orbit:N`. Costs SceneRays and some

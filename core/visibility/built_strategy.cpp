@@ -23,7 +23,7 @@ void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     frame.setFacing(m_facing);
-    // Each time is told once: that of a frame that nobody times is not the one before.
+    // Each time is told once: a frame without a measured time leaves none to the next.
     frame.setFrameBefore(std::exchange(state.frameMilliseconds, std::nullopt));
     m_strategy->draw(frame, *m_structure, state, m_parameters);
     const std::chrono::duration<double, std::milli> passed = Clock::now() - start;

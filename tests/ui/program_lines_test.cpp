@@ -189,7 +189,7 @@ TEST_F(ProgramLines, whatCannotBeOpenedIsStatusThree) {
 
 TEST_F(ProgramLines, endWithASentenceWhereMemoryIsWanting) {
 #ifdef CULLSCOPE_SANITIZED
-    GTEST_SKIP() << "the address sanitizer reserves terabytes of addresses";
+    GTEST_SKIP() << "The address sanitizer reserves terabytes of addresses; the development build runs this case.";
 #endif
     std::vector<Expected> expected;
     // From what is too small for the libraries to more than is needed, in megabytes.

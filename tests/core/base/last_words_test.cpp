@@ -37,7 +37,9 @@ TEST(LastWords, whatNobodyCatchesEndsWithASentenceAndTheStatusOfInput) {
 }
 
 TEST(LastWords, crashesForWantOfMemoryEndWithASentenceAndOthersByTheirSignal) {
-    if (!test::memoryIsTheWorks()) GTEST_SKIP() << "the address sanitizer itself ends a program that has no memory left";
+    if (!test::memoryIsTheWorks())
+        GTEST_SKIP() << "The address sanitizer ends a program without memory by itself; the development build's run of this case "
+                        "looks at the handler.";
     for (const int signal : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE, SIGTRAP}) {
         EXPECT_EXIT((endWithSentenceOnWant(), takeAwayMemory(), crash(signal)), testing::ExitedWithCode(3), kSaid) << signal;
         EXPECT_EXIT((endWithSentenceOnWant(), crash(signal)), testing::KilledBySignal(signal), "") << signal;
