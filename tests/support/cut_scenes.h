@@ -15,12 +15,21 @@ inline MeshPointer soupMesh(std::vector<Vec3f> corners) {
     return meshOf(std::move(corners), std::move(indices));
 }
 
+/// A random point of the cube [−1, 1]³. One statement a number: in which order a compiler computes the arguments of a call is its
+/// own choice.
+inline Vec3 randomPlace(Random& random) {
+    const double x = random.between(-1, 1);
+    const double y = random.between(-1, 1);
+    const double z = random.between(-1, 1);
+    return {x, y, z};
+}
+
 /// Random triangles in the cube [−1, 1]³ with edges of about `edge`.
 inline MeshPointer randomTriangles(uint64_t seed, size_t count, double edge) {
     Random random(seed);
     std::vector<Vec3f> corners;
     for (size_t i = 0; i < count; ++i) {
-        const Vec3 middle(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        const Vec3 middle = randomPlace(random);
         for (int corner = 0; corner < 3; ++corner) corners.push_back(Vec3f(middle + 0.5 * edge * random.direction()));
     }
     return soupMesh(std::move(corners));
@@ -29,7 +38,7 @@ inline MeshPointer randomTriangles(uint64_t seed, size_t count, double edge) {
 /// Ten triangles of any size in the cube [−1, 1]³, and thirty as long and of about that width.
 inline ScenePointer sliversAmongTriangles(uint64_t seed, double width) {
     Random random(seed * 31 + 7);
-    const auto place = [&] { return Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+    const auto place = [&] { return randomPlace(random); };
     std::vector<Vec3f> corners;
     for (int i = 0; i < 40; ++i) {
         const Vec3 a = place(), b = place();

@@ -71,7 +71,7 @@ TEST(VisibleSurfaces, sixMethodsShowTheDepthBuffersPictureOfRandomScenes) {
             culler->build(*scene);
             const Culled frame = culler->cull(view, Recording::Off, &GlEnvironment::renderer());
             const ShownPixels shown = shownBy(buffers, view, frame.log);
-            const PictureDifferences found = pictureDifferences(*scene, view, truth, shown);
+            const PictureDifferences found = pictureDifferences(*scene, view, truth, shown, frame.log);
             EXPECT_EQ(found.unexplained, 0u) << found.first;
             differing[nameOf(method)][kind].pixels += found.pixels;
             differing[nameOf(method)][kind].unresolved += found.unresolved;

@@ -30,7 +30,7 @@ uint64_t unexplained(const SceneBuffers& buffers, const View& view, const FrameL
                      uint64_t* differing) {
     Framebuffer target(view.viewport());
     const PictureDifferences found =
-        pictureDifferences(buffers.scene(), view, truth, shownPixels(GlEnvironment::renderer(), buffers, log, target));
+        pictureDifferences(buffers.scene(), view, truth, shownPixels(GlEnvironment::renderer(), buffers, log, target), log);
     *differing += found.pixels;
     if (found.unexplained > 0) {
         std::printf("%s", found.first.c_str());
