@@ -3,7 +3,9 @@
 #include "core/base/error.h"
 #include "core/experiments/bsp_planes.h"
 #include "core/experiments/cho_figure_6.h"
+#include "core/experiments/han_hong_readings.h"
 #include "core/experiments/han_hong_tables.h"
+#include "core/experiments/han_hong_views.h"
 #include "core/experiments/lecture_quiz.h"
 #include "core/experiments/lecture_table.h"
 #include "core/experiments/plant_figures.h"
@@ -13,6 +15,9 @@ namespace cullscope {
 const std::vector<Experiment>& knownExperiments() {
     static const std::vector<Experiment> kExperiments = [] {
         std::vector<Experiment> experiments = hanHongTables();
+        experiments.push_back(han_hong::tableViews());
+        experiments.push_back(sphericalReadings());
+        experiments.push_back(sphericalDomain());
         experiments.push_back(choFigure6());
         experiments.push_back(lectureTable());
         for (Experiment& question : lectureQuestions()) experiments.push_back(std::move(question));

@@ -1,25 +1,23 @@
 #include "core/experiments/han_hong_tables.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
 #include <optional>
 
-#include "core/experiments/run_rows.h"
-#include "core/scene/frustum_share.h"
+#include "core/experiments/han_hong_rows.h"
+#include "core/experiments/han_hong_views.h"
 #include "core/spatial/spherical_maps.h"
 
 namespace cullscope {
 namespace {
 
 using Origin = ResultColumn::Origin;
+using namespace han_hong;
 
-constexpr const char* kSource = "Han & Hong 2008";
-constexpr const char* kBunny = "mesh:bunny,triangles=144046";
-constexpr double kFaces = 144'046;  // section 2.2
 constexpr double kMegabyte = 1e6;
-constexpr Viewport kSmall{320, 240};
-constexpr Viewport kLarge{640, 480};
 
 // ---- What the paper prints
 
@@ -30,6 +28,9 @@ using Cases = std::array<FramesPerSecond, 3>;
 
 constexpr double kFacesOfTable2 = 144'078;
 constexpr std::array kConsideredOfTable2{13'508.0, 16'434.0, 26'308.0};
+/// A lens with which views of each case consider the paper's number of faces of the bunny.
+constexpr double kNarrow = 10.0;
+constexpr std::array kFields{kNarrow, 35.0, 50.0, 65.0};
 constexpr Cases kTable2{{{295, 486}, {300, 432}, {295, 389}}};
 constexpr Cases kTable3Small{{{80, 376}, {84, 421}, {80, 202}}};
 constexpr Cases kTable3Large{{{63, 153}, {65, 174}, {63, 136}}};
@@ -45,9 +46,13 @@ constexpr Range kTable5VboAll{700, 700, 700}, kTable5VboProposed{828, 738, 780};
 // ---- Notes
 
 Message consideredNote() {
-    return note(
-        CULLSCOPE_TR("In the frustum are the faces on the far side of the object too; considered are those in the boxes around "
-                     "the four hits on its near side."));
+    return note(CULLSCOPE_TR(
+        "The paper's column is the faces considered. Views are chosen so that spherical considers as many here, in the "
+        "stated case; faces in the frustum, those on the far side too, and the rays that hit are results. Where a "
+        "lens has no such view, the nearest one is measured, and its row shows it."));
+}
+Message pathsNote() {
+    return note(CULLSCOPE_TR("The built-in paths case-1 to case-3 have the paper's number of faces in the frustum instead."));
 }
 
 Message facesNote() {
@@ -59,9 +64,6 @@ Message baselineNote() {
     return note(
         CULLSCOPE_TR("The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the "
                      "gain is smaller: both ratios are given."));
-}
-Message lossNote() {
-    return note(CULLSCOPE_TR("The paper counts no lost pixels; here every picture is compared with the exact one."));
 }
 Message machineNote() {
     return note(
@@ -92,11 +94,12 @@ void addStructure(Rows& rows, const char* name, std::optional<double> stated, st
 
 Rows structureRows(const Setting& /*setting*/, const ScenePointer& scene, const Progress& progress) {
     constexpr double kCells = double(SphericalGrid::kColumns) * SphericalGrid::kRows;
+    const auto faces = double(scene->triangleCount());
     const SphericalMaps maps(scene->meshes().front(), SphericalGrid(), progress);
     const SphericalMaps::Bytes bytes = maps.bytes();
     const SphericalMaps::BuildTimes& times = maps.buildTimes();
     // float × 4 × faces; float × 2 × 360 × 180 × faces; unsigned int × 4 × 360 × 180
-    const double centroid = 4 * 4 * kFaces, index = 4 * 2 * kCells * kFaces, access = 4 * 4 * kCells;
+    const double centroid = 4 * 4 * faces, index = 4 * 2 * kCells * faces, access = 4 * 4 * kCells;
     Rows rows;
     addStructure(rows, kModel, 10.0, std::nullopt, scene->bytes(), std::nullopt);
     addStructure(rows, kMaps[0], 4.3, centroid, bytes.centroidMap, times.centroidMap);
@@ -136,64 +139,7 @@ Experiment table1() {
     return experiment;
 }
 
-// ---- Tables 2 to 5: rows
-
-/// How often each of the cases 1 to 3 occurred, as in "1 ×11, 2 ×1"; empty where none did.
-CellValue casesFound(const RunMeasurement& run) {
-    std::map<int, int> counts;
-    for (const FrameMeasurement& frame : run.frames)
-        for (const NamedFigure& figure : frame.figures)
-            if (figure.name == "case") ++counts[int(figure.value)];
-    std::string words;
-    for (const auto& [number, count] : counts)
-        words += (words.empty() ? "" : ", ") + std::to_string(number) + " ×" + std::to_string(count);
-    return words.empty() ? CellValue() : CellValue(words);
-}
-
-/// Faces that intersect the frustum by an exact test, back faces included: the mean over the poses measured.
-double facesInFrustum(const MeasureResult& result) {
-    const MeasureRequest& request = result.request;
-    double faces = 0.0;
-    for (const FrameMeasurement& frame : result.runs.front().frames)
-        faces += double(trianglesInFrustum(*request.scene, View(request.path.camera(frame.pose), request.size)));
-    return faces / double(result.runs.front().frames.size());
-}
-
-Rows sphericalRows(const Setting& setting, const MeasureResult& result) {
-    Rows rows;
-    if (result.runs.empty() || result.runs.front().frames.empty()) return rows;
-    const double inFrustum = facesInFrustum(result);
-    for (const RunMeasurement& run : result.runs) {
-        Row cells = rowCells(setting, run);
-        double considered = 0.0;
-        for (const FrameMeasurement& frame : run.frames) considered += double(frame.consideredTriangles);
-        cells["considered_triangles"] = considered / double(run.frames.size());
-        cells["triangles_in_frustum"] = inFrustum;
-        cells["cases"] = casesFound(run);
-        rows.push_back(std::move(cells));
-    }
-    return rows;
-}
-
-/// The columns that every timed table has: axes and `paper` first.
-std::vector<ResultColumn> timedColumns(const std::vector<Axis>& axes, const std::vector<ResultColumn>& paper) {
-    std::vector<ResultColumn> columns = columnsOf(axes);
-    columns.insert(columns.end(), paper.begin(), paper.end());
-    const std::vector<ResultColumn> measured{{"considered_triangles", CULLSCOPE_TR("faces"), Origin::Measured},
-                                             {"triangles_in_frustum", CULLSCOPE_TR("in frustum"), Origin::Measured},
-                                             {"cases", CULLSCOPE_TR("cases found"), Origin::Measured},
-                                             {"poses", CULLSCOPE_TR("views"), Origin::Measured},
-                                             {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
-                                             {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
-                                             {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
-                                             {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
-                                             {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
-                                             {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
-                                             {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
-                                             {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
-    columns.insert(columns.end(), measured.begin(), measured.end());
-    return columns;
-}
+// ---- Tables 2 to 5
 
 const std::vector<ResultColumn>& paperFpsColumns() {
     static const std::vector<ResultColumn> kColumns{{"paper_fps", CULLSCOPE_TR("paper: fps"), Origin::Stated},
@@ -234,11 +180,13 @@ void addTimed(Experiment& experiment, const Setting& setting) {
     experiment.settings.push_back(settingsOf(inTurns, setting).front());
 }
 
-void addCases(Experiment& experiment, const Cases& rows, Viewport size, int windows) {
+void addCases(Experiment& experiment, const Cases& rows, Viewport size, int windows, double field = kNarrow) {
     for (size_t i = 0; i < rows.size(); ++i) {
-        const std::string path = "case-" + std::to_string(i + 1);
-        Setting setting = timedSetting(path, size, windows, Upload::Vbo);
+        Setting setting = timedSetting("", size, windows, Upload::Vbo);
+        setting.path = fmt::format("considered-{}, {:g}°", i + 1, field);
+        setting.views = [i, field](const Scene& scene) { return viewsOfCase(scene, tableCases()[i], Angle::fromDegrees(field)); };
         setting.labels["case"] = double(i + 1);
+        setting.labels[kField] = field;
         setting.stated["all"] = {{"paper_fps", rows[i].fpsAll}};
         setting.stated["spherical"] = {{"paper_fps", rows[i].fpsProposed},
                                        {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
@@ -251,7 +199,7 @@ Experiment casesExperiment(const char* id, const char* title, const char* table)
     experiment.id = id;
     experiment.title = title;
     experiment.source = std::string(kSource) + ", " + table;
-    experiment.notes = {facesNote(), consideredNote(), baselineNote(), lossNote(), machineNote()};
+    experiment.notes = {facesNote(), consideredNote(), pathsNote(), baselineNote(), lossNote(), machineNote()};
     experiment.rowsOfRuns = sphericalRows;
     return experiment;
 }
@@ -263,12 +211,13 @@ Experiment table2() {
         casesExperiment("table-2", CULLSCOPE_TR("One window of 320 × 240, the object cut by the frustum"), "Table 2");
     std::vector<ResultColumn> paper = paperFpsColumns();
     paper.insert(paper.begin(), {"paper_faces", CULLSCOPE_TR("paper: faces"), Origin::Stated});
-    experiment.axes = {caseAxis(), paperStrategies()};
+    experiment.axes = {
+        {kField, CULLSCOPE_TR("field of view, °"), Axis::Kind::Label, axisValues(kFields)}, caseAxis(), paperStrategies()};
     experiment.columns = timedColumns(experiment.axes, paper);
-    addCases(experiment, kTable2, kSmall, 1);
+    for (const double field : kFields) addCases(experiment, kTable2, kSmall, 1, field);
     for (size_t i = 0; i < experiment.settings.size(); ++i) {
         experiment.settings[i].stated["all"]["paper_faces"] = kFacesOfTable2;
-        experiment.settings[i].stated["spherical"]["paper_faces"] = kConsideredOfTable2[i];
+        experiment.settings[i].stated["spherical"]["paper_faces"] = kConsideredOfTable2[i % kConsideredOfTable2.size()];
     }
     return experiment;
 }
@@ -331,6 +280,10 @@ Experiment table5() {
 
 }  // namespace
 
-std::vector<Experiment> hanHongTables() { return {table1(), table2(), table3(), table4(), table5()}; }
+std::vector<Experiment> hanHongTables() {
+    std::vector<Experiment> tables{table1(), table2(), table3(), table4(), table5()};
+    for (Experiment& table : tables) table.ofScene = [table](const std::string& scene) { return ofOtherScene(table, scene); };
+    return tables;
+}
 
 }  // namespace cullscope

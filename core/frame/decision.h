@@ -56,7 +56,7 @@ struct Decision {
         Culled,        ///< nothing of it is drawn
         DrawnAfterAll  ///< drawn, although an earlier decision, whose cause this one repeats, had culled it
     };
-    static constexpr size_t kOperands = 4;
+    static constexpr size_t kOperands = 5;
 
     Subject subject;
     Outcome outcome = Outcome::Open;

@@ -129,23 +129,6 @@ const std::array<SphericalCase, 3> kSphericalCases{{{"case-1", 13508.0 / 144078.
                                                     {"case-2", 16434.0 / 144078.0, {-1, 0, 0}, {0, 0, 1}, 6.0},
                                                     {"case-3", 26308.0 / 144078.0, {1, 0, 0}, {0, 0, 1}, 13.0}}};
 
-/// The area-weighted centroid of all surfaces: the middle of an object, hardly affected by thin protruding parts.
-Vec3 surfaceCentroid(const Scene& scene) {
-    Vec3 moment(0.0);
-    double area = 0.0;
-    const Vec3 centre = scene.boundingSphere().centre;
-    for (uint32_t i = 0; i < scene.instances().size(); ++i) {
-        const InstanceFromEye instance(scene, i, centre);
-        for (uint64_t triangle = 0; triangle < scene.meshOf(i).triangleCount(); ++triangle) {
-            const auto [a, b, c] = instance.corners(triangle);
-            const double own = glm::length(glm::cross(b - a, c - a));
-            moment += own / 3.0 * (a + b + c);
-            area += own;
-        }
-    }
-    return area > 0.0 ? centre + moment / area : centre;
-}
-
 /// The distance of the eye at which a share of the faces is in a frustum of aspect 4 : 3; a smaller distance gives fewer faces.
 double distanceOfShare(const Scene& scene, CameraPath& path, size_t pose, const Vec3& direction, double share) {
     constexpr Viewport kFourToThree{640, 480};
@@ -240,6 +223,22 @@ std::optional<CameraPath> builtIn(std::string_view name, const Scene& scene, con
 }
 
 }  // namespace
+
+Vec3 surfaceCentroid(const Scene& scene) {
+    Vec3 moment(0.0);
+    double area = 0.0;
+    const Vec3 centre = scene.boundingSphere().centre;
+    for (uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const InstanceFromEye instance(scene, i, centre);
+        for (uint64_t triangle = 0; triangle < scene.meshOf(i).triangleCount(); ++triangle) {
+            const auto [a, b, c] = instance.corners(triangle);
+            const double own = glm::length(glm::cross(b - a, c - a));
+            moment += own / 3.0 * (a + b + c);
+            area += own;
+        }
+    }
+    return area > 0.0 ? centre + moment / area : centre;
+}
 
 Camera CameraPath::camera(size_t pose) const {
     return {poses.at(pose).eye, poses.at(pose).target, poses.at(pose).up, fovy, nearDistance, farDistance};

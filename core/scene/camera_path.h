@@ -40,6 +40,10 @@ inline constexpr size_t kMostPoses = 1'000'000;
 /// `fibonacci:16` for one object, `walk:16` for several. Looks at every triangle once.
 [[nodiscard]] std::string defaultPathName(const Scene& scene);
 
+/// The area-weighted centroid of all surfaces: the middle of an object, hardly affected by thin protruding parts. Looks at every
+/// triangle once.
+[[nodiscard]] Vec3 surfaceCentroid(const Scene& scene);
+
 /// The camera with which a window first shows a scene: all of it in view, slightly from above, with the scene's up axis
 /// (Scene::upAxis); or the camera that the scene gives.
 [[nodiscard]] Camera overviewCamera(const Scene& scene, double aspect);

@@ -143,10 +143,14 @@ std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& 
                                           const std::function<void(const WalkedCell&)>& told) {
     // A little larger than the sphere, because its radius is rounded.
     const std::optional<Span> inside = throughSphere(ray, maps.sphere().radius * (1.0 + 1e-6));
-    if (!inside) return std::nullopt;
+    return inside ? searchTriangle(maps, ray, *inside, told) : std::nullopt;
+}
+
+std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray, const Span& span,
+                                          const std::function<void(const WalkedCell&)>& told) {
     const double foot = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
     std::optional<TriangleHit> nearest;
-    for (WalkedCell& step : walkedCells(maps.grid(), ray, *inside)) {
+    for (WalkedCell& step : walkedCells(maps.grid(), ray, span)) {
         // The search goes on until the hit lies within the cells walked: a triangle of an earlier cell may be hit only in a later
         // one.
         if (nearest && nearest->t <= step.span.from) break;

@@ -44,9 +44,12 @@ struct TriangleHit {
 /// The ray parameter at which a ray hits a triangle, edges included, from either side. None for a ray in the triangle's plane.
 [[nodiscard]] std::optional<double> hit(const Ray& ray, const std::array<Vec3, 3>& corners);
 
-/// The nearest triangle that a ray hits inside the bounding sphere: Triangle_Search of Han & Hong's Appendix 1. Walks the index
-/// map from the entry cell by cell, compares the ray's own R there with the range of R of the cell's triangles, and confirms by
-/// intersecting them. `told`, if there is one, is told of every cell as soon as it was searched.
+/// The nearest triangle that a ray hits in a part of it that holds all of the object: Triangle_Search of Han & Hong's Appendix 1.
+/// Walks the index map from the start cell by cell, compares the ray's own R there with the range of R of the cell's triangles,
+/// and confirms by intersecting them. `told`, if there is one, is told of every cell as soon as it was searched.
+[[nodiscard]] std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray, const Span& span,
+                                                        const std::function<void(const WalkedCell&)>& told = {});
+/// The same of the part inside the bounding sphere.
 [[nodiscard]] std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray,
                                                         const std::function<void(const WalkedCell&)>& told = {});
 

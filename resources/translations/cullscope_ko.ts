@@ -1626,10 +1626,6 @@
         <translation>네 모서리 광선이 둘러싼 것을 방향의 맵에서 찾고, 전체가 보이면 등고선 띠를 S로 비교합니다. 논문 그대로이며 손실도 그대로입니다.</translation>
     </message>
     <message>
-        <source>How the four hits are joined to the visible region.</source>
-        <translation>네 교차점을 이어 가시 영역을 만드는 방법.</translation>
-    </message>
-    <message>
         <source>straight on the map, so that the extremes are the hits&apos;</source>
         <translation>맵에서 직선으로. 영역의 끝이 교차점과 같습니다</translation>
     </message>
@@ -1680,10 +1676,6 @@
     <message>
         <source>The object&apos;s bounding sphere: %1.</source>
         <translation>물체의 경계구: %1.</translation>
-    </message>
-    <message>
-        <source>In the frustum are the faces on the far side of the object too; considered are those in the boxes around the four hits on its near side.</source>
-        <translation>절두체 안의 면에는 물체의 먼 쪽 면도 들어 있습니다. 고려되는 면은 가까운 쪽의 네 교차점을 둘러싼 상자 안의 면입니다.</translation>
     </message>
     <message>
         <source>half a hollow sphere, open towards z: closed, hides its inside from its outside</source>
@@ -3418,18 +3410,6 @@
         <translation>모서리 광선 %1은(는) 맵의 셀 %2개를 지나 R = %3에서 삼각형에 맞습니다.</translation>
     </message>
     <message>
-        <source>Corner ray %1 passes %2 cells of the map and hits nothing: the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
-        <translation>모서리 광선 %1은(는) 맵의 셀 %2개를 지나지만 아무것에도 맞지 않습니다. 광선에 가장 가까운 구의 점(R = %3)을 씁니다.</translation>
-    </message>
-    <message>
-        <source>Corner ray %1 misses the bounding sphere (cells passed: %2): the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
-        <translation>모서리 광선 %1은(는) 경계 구를 빗나갑니다(지난 셀: %2개). 광선에 가장 가까운 구의 점(R = %3)을 씁니다.</translation>
-    </message>
-    <message>
-        <source>The region between the four corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
-        <translation>네 모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 셀의 삼각형: %3.</translation>
-    </message>
-    <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
         <translation>검사로 제외된 셀이지만 양쪽 구간과 함께 그려집니다. 이렇게 적은 삼각형은 구간을 따로 둘 만하지 않습니다.</translation>
     </message>
@@ -3530,16 +3510,8 @@
         <translation>셀마다: 삼각형에 맞는가?</translation>
     </message>
     <message>
-        <source>the region between their points</source>
-        <translation>네 점 사이의 영역</translation>
-    </message>
-    <message>
         <source>draw boxes of cells around it</source>
         <translation>이를 감싸는 셀 상자를 그림</translation>
-    </message>
-    <message>
-        <source>inside: S of band &gt; S before it?</source>
-        <translation>안이면: 띠의 S &gt; 그 앞의 S?</translation>
     </message>
     <message>
         <source>yes, or the near half: draw it</source>
@@ -3596,10 +3568,6 @@
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
         <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다.</translation>
-    </message>
-    <message>
-        <source>Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
-        <translation>부채꼴 %4, α = %3°까지의 띠: S %1이지만 같은 부채꼴의 더 가까운 띠가 가려졌습니다(그 앞의 최댓값 %2). 그 뒤로는 그리지 않습니다.</translation>
     </message>
     <message>
         <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
@@ -4932,6 +4900,210 @@
     <message>
         <source>%1: name a handout&apos;s file that ends in .pdf or .html.</source>
         <translation>%1: 유인물 파일 이름은 .pdf나 .html로 끝나야 합니다.</translation>
+    </message>
+    <message>
+        <source>What the paper leaves open, reading by reading</source>
+        <translation>논문이 열어 둔 것, 읽는 방식별</translation>
+    </message>
+    <message>
+        <source>Section 2.3 sends objects that no corner ray meets to the contour bands; Appendix 1 only those whose bounding sphere lies inside the frustum. What becomes of one to three rays that miss, how hits are joined, and whether a band that is hidden ends its sector, the paper does not say.</source>
+        <translation>2.3절은 모서리 광선이 하나도 만나지 않는 물체를 등고선 띠로 보내고, 부록 1은 경계 구가 절두체 안에 있는 물체만 보냅니다. 빗나간 광선이 한 개에서 세 개일 때, 교점을 잇는 방법, 가려진 띠가 그 부채꼴을 끝내는지는 논문에 없습니다.</translation>
+    </message>
+    <message>
+        <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.</source>
+        <translation>첫 행을 뺀 각 행은 spherical과 읽는 방식 하나가 다릅니다. 시점은 표 2의 세 경우, 반지름의 1.6배에서 2.7배까지 45도의 36개, 물체 전체가 보이는 12개입니다.</translation>
+    </message>
+    <message>
+        <source>Where the spherical method works</source>
+        <translation>구 좌표 방법이 통하는 곳</translation>
+    </message>
+    <message>
+        <source>Eight directions spread evenly; the distance of the eye is in radii of the bounding sphere, the field of view is vertical, the picture 640 × 480. Of four corner rays that hit, the region between them is drawn; of none, contour bands decide.</source>
+        <translation>고르게 퍼진 여덟 방향입니다. 눈의 거리는 경계 구 반지름의 배수, 시야각은 세로, 그림은 640 × 480입니다. 모서리 광선 넷이 맞으면 그 사이의 영역을 그리고, 하나도 맞지 않으면 등고선 띠가 정합니다.</translation>
+    </message>
+    <message>
+        <source>distance, radii</source>
+        <translation>거리, 반지름 배수</translation>
+    </message>
+    <message>
+        <source>field of view, °</source>
+        <translation>시야각, °</translation>
+    </message>
+    <message>
+        <source>share of the faces</source>
+        <translation>면의 비율</translation>
+    </message>
+    <message>
+        <source>Corner rays that hit, by field of view in degrees</source>
+        <translation>맞은 모서리 광선, 시야각(도)별</translation>
+    </message>
+    <message>
+        <source>rays that hit, of 4</source>
+        <translation>맞은 광선, 4개 중</translation>
+    </message>
+    <message>
+        <source>Faces considered, by field of view in degrees</source>
+        <translation>고려되는 면, 시야각(도)별</translation>
+    </message>
+    <message>
+        <source>Lost pixels, by field of view in degrees</source>
+        <translation>잃은 픽셀, 시야각(도)별</translation>
+    </message>
+    <message>
+        <source>Speed against all, by field of view in degrees</source>
+        <translation>all 대비 속도, 시야각(도)별</translation>
+    </message>
+    <message>
+        <source>× all</source>
+        <translation>× all</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s column is the faces considered. Views are chosen so that spherical considers as many here, in the stated case; faces in the frustum, those on the far side too, and the rays that hit are results. Where a lens has no such view, the nearest one is measured, and its row shows it.</source>
+        <translation>논문의 열은 고려되는 면 개수입니다. 여기서 spherical이 해당 경우에서 그만큼을 고려하도록 시점을 골랐습니다. 뒤쪽 면까지 포함한 절두체 안의 면과 맞은 광선은 결과입니다. 그런 시점이 없는 렌즈는 가장 가까운 것을 재며, 그 행에 나타납니다.</translation>
+    </message>
+    <message>
+        <source>The built-in paths case-1 to case-3 have the paper&apos;s number of faces in the frustum instead.</source>
+        <translation>내장 경로 case-1에서 case-3까지는 그 대신 절두체 안의 면이 논문의 개수입니다.</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>예</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>아니요</translation>
+    </message>
+    <message>
+        <source>Which cases have views that consider the paper&apos;s faces</source>
+        <translation>논문의 면 개수를 고려하는 시점이 있는 경우</translation>
+    </message>
+    <message>
+        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most. Where the paper&apos;s share lies between both, the case has such views.</source>
+        <translation>그 경우가 나타나는 곳에서 spherical이 고려하는 면의 비율을, 반지름의 1.02배에서 12배까지 48개 거리, 세 목표점, 그 경우의 방향 둘레 열두 방향에 걸쳐 최소와 최대로 나타냅니다. 논문의 비율이 그 사이에 있으면 그런 시점이 있습니다.</translation>
+    </message>
+    <message>
+        <source>faces wanted</source>
+        <translation>원하는 면</translation>
+    </message>
+    <message>
+        <source>share wanted</source>
+        <translation>원하는 비율</translation>
+    </message>
+    <message>
+        <source>least share</source>
+        <translation>최소 비율</translation>
+    </message>
+    <message>
+        <source>most share</source>
+        <translation>최대 비율</translation>
+    </message>
+    <message>
+        <source>exists</source>
+        <translation>있음</translation>
+    </message>
+    <message>
+        <source>any hit: the region between them</source>
+        <translation>하나라도 맞으면 그 사이 영역</translation>
+    </message>
+    <message>
+        <source>else bands: S &gt; S before it?</source>
+        <translation>아니면 띠: S &gt; 앞의 S?</translation>
+    </message>
+    <message>
+        <source>Which objects contour bands decide about.</source>
+        <translation>등고선 띠가 정하는 물체.</translation>
+    </message>
+    <message>
+        <source>those in the frustum that no corner ray meets (section 2.3)</source>
+        <translation>절두체 안에 있고 모서리 광선이 만나지 않는 물체 (2.3절)</translation>
+    </message>
+    <message>
+        <source>those whose sphere lies inside the frustum (Appendix 1)</source>
+        <translation>경계 구가 절두체 안에 있는 물체 (부록 1)</translation>
+    </message>
+    <message>
+        <source>What becomes of a corner ray that meets no triangle.</source>
+        <translation>삼각형을 만나지 않은 모서리 광선의 처리.</translation>
+    </message>
+    <message>
+        <source>the point of the sphere or box nearest to it is a corner of the region</source>
+        <translation>광선에 가장 가까운 구나 상자의 점이 영역의 모서리가 됩니다</translation>
+    </message>
+    <message>
+        <source>the region has no corner there</source>
+        <translation>그곳에는 영역의 모서리가 없습니다</translation>
+    </message>
+    <message>
+        <source>contour bands decide about the object</source>
+        <translation>등고선 띠가 그 물체를 정합니다</translation>
+    </message>
+    <message>
+        <source>Where corner rays begin, and where a missed one takes its point.</source>
+        <translation>모서리 광선이 시작하는 곳, 빗나간 광선이 점을 얻는 곳.</translation>
+    </message>
+    <message>
+        <source>the bounding sphere (sections 2.2 and 2.3)</source>
+        <translation>경계 구 (2.2절과 2.3절)</translation>
+    </message>
+    <message>
+        <source>the bounding box (Appendix 1)</source>
+        <translation>경계 상자 (부록 1)</translation>
+    </message>
+    <message>
+        <source>How the hits are joined to the visible region.</source>
+        <translation>교점을 가시 영역으로 잇는 방법.</translation>
+    </message>
+    <message>
+        <source>When a pole lies in the visible region, which is case 1.</source>
+        <translation>극이 가시 영역에 드는 조건, 즉 경우 1.</translation>
+    </message>
+    <message>
+        <source>when the surface in its direction is within the view</source>
+        <translation>그 방향의 표면이 시야 안에 있을 때</translation>
+    </message>
+    <message>
+        <source>when the outline winds around it</source>
+        <translation>윤곽이 그 둘레를 감을 때</translation>
+    </message>
+    <message>
+        <source>What a band hides whose S does not exceed the largest before it.</source>
+        <translation>S가 앞의 최댓값을 넘지 않는 띠가 가리는 것.</translation>
+    </message>
+    <message>
+        <source>itself and all bands of its sector behind it</source>
+        <translation>자신과 그 부채꼴에서 뒤에 있는 모든 띠</translation>
+    </message>
+    <message>
+        <source>itself alone</source>
+        <translation>자신만</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden. The sector&apos;s band up to α = %5° was hidden before and ended it.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다. 그 부채꼴의 α = %5°까지의 띠가 먼저 가려져 부채꼴을 끝냈습니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: its S %1 exceeds %2, the largest before it, but the sector&apos;s band up to α = %5° was hidden and ended it: nothing behind that one is drawn.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1은 그 앞의 최댓값 %2보다 크지만, 그 부채꼴의 α = %5°까지의 띠가 가려져 부채꼴을 끝냈습니다. 그 뒤는 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 enters the bounding box at R = %2.</source>
+        <translation>모서리 광선 %1이 R = %2에서 경계 상자에 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 passes %2 cells of the map and hits nothing; it begins at R = %3.</source>
+        <translation>모서리 광선 %1이 맵의 칸 %2개를 지나고 아무것도 맞히지 않습니다. 시작은 R = %3입니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 misses the bounds (cells passed: %2); their point nearest to it is at R = %3.</source>
+        <translation>모서리 광선 %1이 경계를 빗나갑니다(지난 칸: %2). 가장 가까운 경계의 점은 R = %3에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Of the four corner rays %1 meet the object, which is not outside the frustum: contour bands decide about it.</source>
+        <translation>모서리 광선 넷 중 %1개가 물체를 만나고, 물체는 절두체 밖에 있지 않습니다. 등고선 띠가 정합니다.</translation>
+    </message>
+    <message>
+        <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
+        <translation>모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 칸들의 삼각형: %3.</translation>
     </message>
 </context>
 <context>

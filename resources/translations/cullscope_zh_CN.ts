@@ -1626,10 +1626,6 @@
         <translation>在方向图上查找四条角光线所围的部分；整体可见时按 S 比较等高带。与论文一致，损失也一并保留。</translation>
     </message>
     <message>
-        <source>How the four hits are joined to the visible region.</source>
-        <translation>四个交点如何连成可见区域。</translation>
-    </message>
-    <message>
         <source>straight on the map, so that the extremes are the hits&apos;</source>
         <translation>在图上连直线，极值即交点的极值</translation>
     </message>
@@ -1680,10 +1676,6 @@
     <message>
         <source>The object&apos;s bounding sphere: %1.</source>
         <translation>对象的包围球：%1。</translation>
-    </message>
-    <message>
-        <source>In the frustum are the faces on the far side of the object too; considered are those in the boxes around the four hits on its near side.</source>
-        <translation>视锥体内的面包括对象远侧的面；所考虑的是近侧四个交点周围盒中的面。</translation>
     </message>
     <message>
         <source>half a hollow sphere, open towards z: closed, hides its inside from its outside</source>
@@ -3418,18 +3410,6 @@
         <translation>角点射线 %1 经过图的 %2 个单元，在 R = %3 处击中三角形。</translation>
     </message>
     <message>
-        <source>Corner ray %1 passes %2 cells of the map and hits nothing: the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
-        <translation>角点射线 %1 经过图的 %2 个单元而未击中：取球面上离它最近的点，R = %3。</translation>
-    </message>
-    <message>
-        <source>Corner ray %1 misses the bounding sphere (cells passed: %2): the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
-        <translation>角点射线 %1 未与包围球相交（经过的单元：%2）：取球面上离它最近的点，R = %3。</translation>
-    </message>
-    <message>
-        <source>The region between the four corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
-        <translation>四个角点之间的区域属于情形 %1；外围框：%2；其单元中的三角形：%3。</translation>
-    </message>
-    <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
         <translation>测试剔除了该单元，但它随两侧的区间一起绘制：这么少的三角形不值得单独成为区间。</translation>
     </message>
@@ -3530,16 +3510,8 @@
         <translation>逐个单元：是否击中三角形？</translation>
     </message>
     <message>
-        <source>the region between their points</source>
-        <translation>它们的点之间的区域</translation>
-    </message>
-    <message>
         <source>draw boxes of cells around it</source>
         <translation>绘制包围它的单元盒</translation>
-    </message>
-    <message>
-        <source>inside: S of band &gt; S before it?</source>
-        <translation>在内：带的 S &gt; 之前的 S？</translation>
     </message>
     <message>
         <source>yes, or the near half: draw it</source>
@@ -3596,10 +3568,6 @@
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
         <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
-    </message>
-    <message>
-        <source>Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
-        <translation>扇区 %4，至 α = %3° 的带：S %1，但该扇区中更近的带已被遮挡（之前的最大值 %2）：其后不再绘制。</translation>
     </message>
     <message>
         <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
@@ -4932,6 +4900,210 @@
     <message>
         <source>%1: name a handout&apos;s file that ends in .pdf or .html.</source>
         <translation>%1：讲义文件名应以 .pdf 或 .html 结尾。</translation>
+    </message>
+    <message>
+        <source>What the paper leaves open, reading by reading</source>
+        <translation>论文未定之处，逐一解读</translation>
+    </message>
+    <message>
+        <source>Section 2.3 sends objects that no corner ray meets to the contour bands; Appendix 1 only those whose bounding sphere lies inside the frustum. What becomes of one to three rays that miss, how hits are joined, and whether a band that is hidden ends its sector, the paper does not say.</source>
+        <translation>第 2.3 节把没有角光线击中的对象交给等高带；附录 1 只交出包围球在视锥内的对象。有一到三条光线未击中时如何处理、击中点如何连接、被遮挡的带是否终止其扇区，论文未说明。</translation>
+    </message>
+    <message>
+        <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.</source>
+        <translation>除第一行外，每行与 spherical 只差一种解读。视图为表 2 的三种情况、距离 1.6 至 2.7 倍半径且 45 度的 36 个视图，以及看到整个对象的 12 个视图。</translation>
+    </message>
+    <message>
+        <source>Where the spherical method works</source>
+        <translation>球坐标方法适用之处</translation>
+    </message>
+    <message>
+        <source>Eight directions spread evenly; the distance of the eye is in radii of the bounding sphere, the field of view is vertical, the picture 640 × 480. Of four corner rays that hit, the region between them is drawn; of none, contour bands decide.</source>
+        <translation>八个均匀分布的方向；眼睛的距离以包围球半径为单位，视场角为垂直方向，图像为 640 × 480。四条角光线都击中时绘制其间的区域；都未击中时由等高带决定。</translation>
+    </message>
+    <message>
+        <source>distance, radii</source>
+        <translation>距离，倍半径</translation>
+    </message>
+    <message>
+        <source>field of view, °</source>
+        <translation>视场角，°</translation>
+    </message>
+    <message>
+        <source>share of the faces</source>
+        <translation>面的占比</translation>
+    </message>
+    <message>
+        <source>Corner rays that hit, by field of view in degrees</source>
+        <translation>击中的角光线，按视场角（度）</translation>
+    </message>
+    <message>
+        <source>rays that hit, of 4</source>
+        <translation>击中的光线，共 4 条</translation>
+    </message>
+    <message>
+        <source>Faces considered, by field of view in degrees</source>
+        <translation>考虑的面，按视场角（度）</translation>
+    </message>
+    <message>
+        <source>Lost pixels, by field of view in degrees</source>
+        <translation>丢失的像素，按视场角（度）</translation>
+    </message>
+    <message>
+        <source>Speed against all, by field of view in degrees</source>
+        <translation>相对 all 的速度，按视场角（度）</translation>
+    </message>
+    <message>
+        <source>× all</source>
+        <translation>× all</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s column is the faces considered. Views are chosen so that spherical considers as many here, in the stated case; faces in the frustum, those on the far side too, and the rays that hit are results. Where a lens has no such view, the nearest one is measured, and its row shows it.</source>
+        <translation>论文的这一列是考虑的面数。这里选取的视图使 spherical 在所述情况下考虑同样多的面；视锥内的面（包括背侧的面）和击中的光线是结果。某镜头没有这样的视图时测量最接近的一个，其行会显示出来。</translation>
+    </message>
+    <message>
+        <source>The built-in paths case-1 to case-3 have the paper&apos;s number of faces in the frustum instead.</source>
+        <translation>内置路径 case-1 至 case-3 则是视锥内的面数等于论文的数目。</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>Which cases have views that consider the paper&apos;s faces</source>
+        <translation>哪些情况存在考虑论文面数的视图</translation>
+    </message>
+    <message>
+        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most. Where the paper&apos;s share lies between both, the case has such views.</source>
+        <translation>在出现该情况之处 spherical 所考虑的面的占比，遍及 1.02 至 12 倍半径的 48 个距离、三个目标点和该情况方向周围的十二个方向：最小值与最大值。论文的占比在两者之间时，该情况存在这样的视图。</translation>
+    </message>
+    <message>
+        <source>faces wanted</source>
+        <translation>所需的面</translation>
+    </message>
+    <message>
+        <source>share wanted</source>
+        <translation>所需占比</translation>
+    </message>
+    <message>
+        <source>least share</source>
+        <translation>最小占比</translation>
+    </message>
+    <message>
+        <source>most share</source>
+        <translation>最大占比</translation>
+    </message>
+    <message>
+        <source>exists</source>
+        <translation>存在</translation>
+    </message>
+    <message>
+        <source>any hit: the region between them</source>
+        <translation>有击中：其间的区域</translation>
+    </message>
+    <message>
+        <source>else bands: S &gt; S before it?</source>
+        <translation>否则看带：S &gt; 之前的 S？</translation>
+    </message>
+    <message>
+        <source>Which objects contour bands decide about.</source>
+        <translation>由等高带决定的对象。</translation>
+    </message>
+    <message>
+        <source>those in the frustum that no corner ray meets (section 2.3)</source>
+        <translation>在视锥内且没有角光线击中的对象（第 2.3 节）</translation>
+    </message>
+    <message>
+        <source>those whose sphere lies inside the frustum (Appendix 1)</source>
+        <translation>包围球在视锥内的对象（附录 1）</translation>
+    </message>
+    <message>
+        <source>What becomes of a corner ray that meets no triangle.</source>
+        <translation>未击中三角形的角光线如何处理。</translation>
+    </message>
+    <message>
+        <source>the point of the sphere or box nearest to it is a corner of the region</source>
+        <translation>球或盒上离光线最近的点作为区域的角</translation>
+    </message>
+    <message>
+        <source>the region has no corner there</source>
+        <translation>区域在该处没有角</translation>
+    </message>
+    <message>
+        <source>contour bands decide about the object</source>
+        <translation>由等高带决定该对象</translation>
+    </message>
+    <message>
+        <source>Where corner rays begin, and where a missed one takes its point.</source>
+        <translation>角光线从何处开始，未击中者在何处取点。</translation>
+    </message>
+    <message>
+        <source>the bounding sphere (sections 2.2 and 2.3)</source>
+        <translation>包围球（第 2.2 和 2.3 节）</translation>
+    </message>
+    <message>
+        <source>the bounding box (Appendix 1)</source>
+        <translation>包围盒（附录 1）</translation>
+    </message>
+    <message>
+        <source>How the hits are joined to the visible region.</source>
+        <translation>击中点如何连接成可见区域。</translation>
+    </message>
+    <message>
+        <source>When a pole lies in the visible region, which is case 1.</source>
+        <translation>极点何时位于可见区域内，即情况 1。</translation>
+    </message>
+    <message>
+        <source>when the surface in its direction is within the view</source>
+        <translation>其方向上的表面在视野内时</translation>
+    </message>
+    <message>
+        <source>when the outline winds around it</source>
+        <translation>轮廓绕其一周时</translation>
+    </message>
+    <message>
+        <source>What a band hides whose S does not exceed the largest before it.</source>
+        <translation>S 不超过之前最大值的带遮挡什么。</translation>
+    </message>
+    <message>
+        <source>itself and all bands of its sector behind it</source>
+        <translation>自身及其扇区中其后的所有带</translation>
+    </message>
+    <message>
+        <source>itself alone</source>
+        <translation>仅自身</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden. The sector&apos;s band up to α = %5° was hidden before and ended it.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。该扇区至 α = %5° 的带此前已被遮挡并终止了扇区。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: its S %1 exceeds %2, the largest before it, but the sector&apos;s band up to α = %5° was hidden and ended it: nothing behind that one is drawn.</source>
+        <translation>扇区 %4，至 α = %3° 的带：其 S %1 大于之前的最大值 %2，但该扇区至 α = %5° 的带已被遮挡并终止了扇区：其后一概不绘制。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 enters the bounding box at R = %2.</source>
+        <translation>角光线 %1 在 R = %2 处进入包围盒。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 passes %2 cells of the map and hits nothing; it begins at R = %3.</source>
+        <translation>角光线 %1 经过图的 %2 个单元而未击中任何三角形；它从 R = %3 处开始。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 misses the bounds (cells passed: %2); their point nearest to it is at R = %3.</source>
+        <translation>角光线 %1 未触及边界（经过的单元：%2）；边界上离它最近的点在 R = %3 处。</translation>
+    </message>
+    <message>
+        <source>Of the four corner rays %1 meet the object, which is not outside the frustum: contour bands decide about it.</source>
+        <translation>四条角光线中有 %1 条击中对象，且对象不在视锥之外：由等高带决定。</translation>
+    </message>
+    <message>
+        <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
+        <translation>角之间的区域属于情况 %1；其外的盒：%2；这些单元中的三角形：%3。</translation>
     </message>
 </context>
 <context>

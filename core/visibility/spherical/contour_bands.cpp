@@ -31,19 +31,21 @@ private:
     const ContourBands& m_bands;
 };
 
-/// For each sector, from near to far: drawn up to the first band beyond 90° whose S does not exceed the largest S before it. A
-/// band without triangles has no S and changes nothing. Until then `within` says whether a sector has cells within 90°.
-void compareWithNearer(ContourBands& bands, ObjectRecord* record) {
+/// For each sector, from near to far: which bands are drawn. A band without triangles has no S and changes nothing. Until then
+/// `within` says whether a sector has cells within 90°.
+void compareWithNearer(ContourBands& bands, Cut cut, ObjectRecord* record) {
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         double largest = 0.0;
-        bool cut = false;
+        std::optional<uint32_t> cutter;
         for (uint32_t band = 0; band < bands.bands; ++band) {
             BandSector& entry = bands.table[size_t(band) * bands.sectors + sector];
             entry.horizon = largest;
             const bool near = (band + 1) * bands.width <= std::numbers::pi / 2 * (1.0 + 1e-12);
-            cut = cut || (!near && entry.size > 0.0 && entry.size <= largest);
-            entry.drawn = !cut;
-            entry.within = entry.within && cut;
+            const bool hidden = !near && entry.size > 0.0 && entry.size <= largest;
+            if (cut == Cut::ForGood && cutter) entry.cutBy = *cutter;
+            if (hidden && !cutter) cutter = band;
+            entry.drawn = !(hidden || entry.cutBy != BandSector::kUncut);
+            entry.within = entry.within && !entry.drawn;
             if (record != nullptr) saySector(bands, band, sector, *record);
             largest = std::max(largest, entry.size);
         }
@@ -75,7 +77,7 @@ ContourBands makeBands(const Vec3& eye, double width, uint32_t sectors) {
     return bands;
 }
 
-std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, ObjectRecord* record) {
+std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, Cut cut, ObjectRecord* record) {
     const Placing placing(bands);
     std::vector<Place> places(cells.cells.size());
     for (size_t i = 0; i < places.size(); ++i) {
@@ -85,7 +87,7 @@ std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, Objec
         entry.size = std::max(entry.size, cell.farthestCentroid * places[i].across);
         entry.within = entry.within || places[i].alongAxis >= 0.0;
     }
-    compareWithNearer(bands, record);
+    compareWithNearer(bands, cut, record);
     RunCollector runs;
     for (size_t i = 0; i < places.size(); ++i) {
         runs.add(cells.cells[i].number, places[i].alongAxis >= 0.0 || bands.table[places[i].entry].drawn);

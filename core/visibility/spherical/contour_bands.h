@@ -4,6 +4,7 @@
 
 #include "core/visibility/spherical/cell_directions.h"
 #include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/readings.h"
 
 namespace cullscope::spherical {
 
@@ -29,12 +30,12 @@ struct BandCells {
 
 /// Area_Sampling and Hidden_Surface_Test of Han & Hong 2008, Appendix 1. S of a cell is the distance of its farthest centroid
 /// from the centre, projected on the perpendicular of the axis in the direction of the cell's middle; S of a band's sector is the
-/// largest of its cells. Cells within 90° of the axis are drawn. Beyond, a sector is drawn as long as each band's S exceeds the
-/// largest S before it; from the first band where it does not, nothing is drawn. A band across 90° is compared
-/// as one beyond, but its cells within 90° are drawn (BandSector::within). Fills the bands and returns the drawn cells in
+/// largest of its cells. Cells within 90° of the axis are drawn. Beyond, a sector's band is drawn whose S exceeds the largest
+/// S before it; with Cut::ForGood nothing is drawn from the first band on where it does not. A band across 90° is compared as one
+/// beyond, but its cells within 90° are drawn (BandSector::within). Fills the bands and returns the drawn cells in
 /// runs (which may include empty cells). `record`, if it is not null, is told of each sector's test where it falls, sector by
 /// sector and in each from the near point on.
-[[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, ObjectRecord* record = nullptr);
+[[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, Cut cut, ObjectRecord* record = nullptr);
 
 /// The number in ContourBands::table of the sector to which drawnByS counts a cell whose middle has that direction.
 [[nodiscard]] uint32_t sectorOfCell(const ContourBands& bands, const Vec3& middle);

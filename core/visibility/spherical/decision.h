@@ -30,10 +30,10 @@ enum class SphereRelation {
 struct CornerRay {
     bool followed = false;  ///< false: the object was not decided by rays, or this one was not said yet
     Ray ray;
-    std::optional<Span> span;             ///< through the bounding sphere; none: the ray misses it
-    std::optional<TriangleHit> hit;       ///< confirmed by intersection; none: `point` is the point of the sphere nearest to the
-                                          ///< ray
-    Vec3 point{0.0};                      ///< the region's corner
+    std::optional<Span> span;        ///< through the bounding sphere or box; none: the ray misses it
+    std::optional<TriangleHit> hit;  ///< confirmed by intersection; none: `point` is the point of the sphere (or box: RayStart)
+                                     ///< nearest to the ray
+    Vec3 point{0.0};                 ///< the region's corner
     std::vector<WalkedCell> walkedCells;  ///< only in a recorded frame
 };
 
@@ -50,19 +50,23 @@ struct CellRun {
 /// top-left.
 struct VisibleRegion {
     int caseNumber = 0;  ///< 1: a pole is in view, 2: one clump, 3: split by the seam
-    /// The region's outline as (θ, φ), with φ continued over the seam (below 0 or beyond 2π where it crosses); closed, except in
-    /// case 1, where it ends a whole turn from its start.
+    /// The region's outline as (θ, φ), with φ continued over the seam (below 0 or beyond 2π where it crosses); closed, except
+    /// where it winds around a pole and ends a whole turn from its start.
     std::vector<Vec2> outline;
+    bool winds = false;
     std::vector<CellBox> boxes;  ///< one; case 3: two
 };
 
 /// A sector of a contour band: all directions between two angles α from the axis and two angles β about it.
 struct BandSector {
+    static constexpr uint32_t kUncut = ~0u;
+
     double size = 0.0;     ///< S of `spherical`: the largest R · sin α of its cells, mesh units (contour_bands.h); of
                            ///< `spherical-horizon`: the least slope of the surface
     double horizon = 0.0;  ///< the largest size at smaller α in this sector
     bool drawn = true;
-    bool within = false;  ///< of `spherical`, where it is not drawn: it has cells within 90° of the axis, which are drawn
+    bool within = false;      ///< of `spherical`, where it is not drawn: it has cells within 90° of the axis, which are drawn
+    uint32_t cutBy = kUncut;  ///< of `spherical`: the nearer band of the sector that was hidden and ended it; kUncut: none
 };
 
 /// The contour bands on the bounding sphere, between circles about the axis from its centre to its point nearest to the eye.

@@ -125,8 +125,7 @@ std::vector<MapLegendRoom> legendRooms(bool tree) {
 void addRegion(CellMap& map, const SphericalDecision& decision) {
     const VisibleRegion& region = *decision.region;
     map.boxes = region.boxes;
-    // In case 1 the outline ends a whole turn from its start and is not closed.
-    if (!region.outline.empty()) map.curves.push_back({MapSymbol::Region, region.outline, region.caseNumber != 1});
+    if (!region.outline.empty()) map.curves.push_back({MapSymbol::Region, region.outline, !region.winds});
     for (const CornerRay& ray : decision.rays)
         for (const WalkedCell& walked : ray.walkedCells) map.walked.push_back(walked.cell);
     for (size_t corner = 0; corner < decision.rays.size(); ++corner) {

@@ -6,7 +6,7 @@ namespace cullscope::spherical {
 
 BandsLine lineOfBands(const SphericalDecision& decision) {
     if (decision.relation == SphereRelation::AroundEye) return BandsLine::Whole;
-    return decision.relation == SphereRelation::Cut ? BandsLine::Boxes : BandsLine::Draw;
+    return decision.bands ? BandsLine::Draw : BandsLine::Boxes;
 }
 
 BandsLine lineOfHorizon(const SphericalDecision& decision) { return decision.bands ? BandsLine::Slopes : BandsLine::Whole; }
@@ -18,9 +18,9 @@ Show bandsListing() {
                         {CULLSCOPE_TR("around the eye, flat: draw all"), 1},
                         {CULLSCOPE_TR("cut: follow four corner rays"), 1},
                         {CULLSCOPE_TR("cell by cell: a triangle hit?"), 2},
-                        {CULLSCOPE_TR("the region between their points"), 2},
+                        {CULLSCOPE_TR("any hit: the region between them"), 2},
                         {CULLSCOPE_TR("draw boxes of cells around it"), 2},
-                        {CULLSCOPE_TR("inside: S of band > S before it?"), 1},
+                        {CULLSCOPE_TR("else bands: S > S before it?"), 1},
                         {CULLSCOPE_TR("yes, or the near half: draw it"), 2}});
 }
 

@@ -2,6 +2,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+
 #include "core/base/message.h"
 #include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
@@ -95,7 +97,7 @@ void MappedCulling::sayEnd(const MappedMesh& mesh, const SphericalDecision& deci
     const bool outside = decision.relation == SphereRelation::Outside;
     Decision end =
         ending(record.subject(), decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
-               outside ? Cause::OutsideFrustum : causeOf(decision.relation));
+               outside ? Cause::OutsideFrustum : causeOf(decision));
     if (decision.drawnTriangles == mesh.maps->mesh().triangleCount()) end = ending(record.subject(), Decision::Outcome::Drawn);
     record.say(atLine(outside ? BandsLine::Outside : lineOf(decision), end));
     const bool said = record.tests() && (decision.region || decision.bands);
@@ -109,15 +111,18 @@ void MappedCulling::submit(const MappedMesh& mesh, const SphericalDecision& deci
         if (count == 0) continue;
         list.ranges.push_back({decision.instance, uint32_t(3 * first), uint32_t(3 * count)});
     }
-    const Cause cause = decision.relation == SphereRelation::Outside ? Cause::OutsideFrustum : causeOf(decision.relation);
+    const Cause cause = decision.relation == SphereRelation::Outside ? Cause::OutsideFrustum : causeOf(decision);
     counters.culledTriangles[size_t(cause)] += mesh.maps->mesh().triangleCount() - decision.drawnTriangles;
     ++counters.nodesVisited;
     if (decision.bands) {
         counters.nodesVisited += mesh.bandCells->cells.size();
         counters.bytesTouched += mesh.bandCells->bytes() + (mesh.horizonCells ? mesh.horizonCells->bytes() : 0);
     }
-    // Of the first object that the frustum cuts.
-    if (decision.region && counters.figures.empty()) counters.figures.push_back({"case", double(decision.region->caseNumber)});
+    if (!counters.figures.empty() || !decision.rays.front().followed) return;
+    // Of the first object for which rays were followed.
+    if (decision.region) counters.figures.push_back({"case", double(decision.region->caseNumber)});
+    const auto hits = std::ranges::count_if(decision.rays, [](const CornerRay& ray) { return ray.hit.has_value(); });
+    counters.figures.push_back({"rays_hit", double(hits)});
 }
 
 StructureSnapshot MappedCulling::snapshotOf(const MappedScene& structure, const FrameLog& log) const {

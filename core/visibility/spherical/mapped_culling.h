@@ -23,7 +23,7 @@ protected:
     virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
                              SphericalDecision& decision, ObjectRecord* record) const = 0;
     /// The cause of triangles that `decideAbout` culls.
-    [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
+    [[nodiscard]] virtual Cause causeOf(const SphericalDecision& decision) const = 0;
     /// The line of the listing at which an object was decided that is not outside.
     [[nodiscard]] virtual BandsLine lineOf(const SphericalDecision& decision) const = 0;
     /// Whether the ranges of cells that are drawn are said.

@@ -1,8 +1,10 @@
 #include "core/visibility/spherical/recorded_decisions.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "core/geometry/angle.h"
 #include "core/visibility/spherical/contour_bands.h"
 #include "core/visibility/spherical/recorded_tests.h"
 
@@ -87,8 +89,13 @@ private:
         if (!object.decision.bands || decision.subject.number >= object.decision.bands->table.size()) return;
         // The sectors of slopes are all drawn in part.
         const bool within = decision.containment == Containment::Straddles && !object.decision.bands->slopes;
+        const ContourBands& bands = *object.decision.bands;
+        // The fifth operand is the angle at which the band ends that was hidden before.
+        const bool cut = !bands.slopes && decision.operandCount > 4;
+        const double ended = cut ? decision.operands[4] * kPi / 180.0 / bands.width : 0.0;
         object.decision.bands->table[decision.subject.number] = {decision.operands[0], decision.operands[1],
-                                                                 !within && decision.containment != Containment::Outside, within};
+                                                                 !within && decision.containment != Containment::Outside, within,
+                                                                 cut ? uint32_t(std::lround(ended)) - 1 : BandSector::kUncut};
         object.bandsSaid = true;
     }
 

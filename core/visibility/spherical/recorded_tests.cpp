@@ -51,11 +51,15 @@ const char* sizeSentence(const BandSector& entry, bool near) {
     if (entry.within)
         return CULLSCOPE_TR(
             "Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.");
-    return entry.size <= entry.horizon
+    return entry.cutBy == BandSector::kUncut
                ? CULLSCOPE_TR("Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.")
+           : entry.size <= entry.horizon
+               ? CULLSCOPE_TR(
+                     "Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden. The sector's band up to "
+                     "α = %5° was hidden before and ended it.")
                : CULLSCOPE_TR(
-                     "Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): "
-                     "nothing behind it is drawn.");
+                     "Sector %4, band up to α = %3°: its S %1 exceeds %2, the largest before it, but the sector's band up to "
+                     "α = %5° was hidden and ended it: nothing behind that one is drawn.");
 }
 
 }  // namespace
@@ -68,10 +72,11 @@ std::optional<size_t> CellGroups::rangeOf(uint32_t number) const {
     return number > boxes ? std::optional<size_t>(number - 1 - boxes) : std::nullopt;
 }
 
-void sayEntry(const CornerRay& ray, uint32_t number, ObjectRecord& record) {
+void sayEntry(const CornerRay& ray, uint32_t number, bool box, ObjectRecord& record) {
     if (!record.tests() || !ray.span) return;
     record.say(atLine(BandsLine::Rays, testOf({Subject::Kind::Ray, number, record.subject().number},
-                                              CULLSCOPE_TR("Corner ray %1 enters the bounding sphere at R = %2."),
+                                              box ? CULLSCOPE_TR("Corner ray %1 enters the bounding box at R = %2.")
+                                                  : CULLSCOPE_TR("Corner ray %1 enters the bounding sphere at R = %2."),
                                               {number + 1.0, glm::length(ray.ray.at(ray.span->from))})));
 }
 
@@ -85,16 +90,22 @@ void sayRay(const CornerRay& ray, uint32_t number, ObjectRecord& record) {
             {Subject::Kind::Ray, number, record.subject().number},
             ray.hit ? CULLSCOPE_TR("Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.")
             : ray.span
-                ? CULLSCOPE_TR("Corner ray %1 passes %2 cells of the map and hits nothing: the sphere's point nearest to it, at "
-                               "R = %3, is taken.")
-                : CULLSCOPE_TR(
-                      "Corner ray %1 misses the bounding sphere (cells passed: %2): the sphere's point nearest to it, at "
-                      "R = %3, is taken."),
+                ? CULLSCOPE_TR("Corner ray %1 passes %2 cells of the map and hits nothing; it begins at R = %3.")
+                : CULLSCOPE_TR("Corner ray %1 misses the bounds (cells passed: %2); their point nearest to it is at R = %3."),
             {number + 1.0, double(ray.walkedCells.size()), glm::length(ray.point)});
         found.containment = ray.hit ? Containment::Inside : Containment::Outside;
         record.say(atLine(BandsLine::Rays, found));
     }
     record.attach(std::make_shared<RayDetail>(number, ray));
+}
+
+void sayBranch(size_t hits, ObjectRecord& record) {
+    if (record.tests())
+        record.say(atLine(BandsLine::Bands,
+                          testOf(record.subject(),
+                                 CULLSCOPE_TR("Of the four corner rays %1 meet the object, which is not outside the frustum: "
+                                              "contour bands decide about it."),
+                                 {double(hits)})));
 }
 
 void sayRegion(const VisibleRegion& region, uint64_t triangles, ObjectRecord& record) {
@@ -103,7 +114,7 @@ void sayRegion(const VisibleRegion& region, uint64_t triangles, ObjectRecord& re
     if (record.tests())
         record.say(atLine(BandsLine::Region,
                           testOf(group(CellGroups::kRegion),
-                                 CULLSCOPE_TR("The region between the four corners is case %1; boxes around it: %2; triangles in "
+                                 CULLSCOPE_TR("The region between the corners is case %1; boxes around it: %2; triangles in "
                                               "their cells: %3."),
                                  {double(region.caseNumber), double(region.boxes.size()), double(triangles)})));
     record.attach(std::make_shared<RegionDetail>(region));
@@ -120,9 +131,11 @@ void sayRegion(const VisibleRegion& region, uint64_t triangles, ObjectRecord& re
 void saySector(const ContourBands& bands, uint32_t band, uint32_t sector, ObjectRecord& record) {
     const BandSector& entry = bands.at(band, sector);
     if (!record.tests() || entry.size <= 0.0) return;
-    const double alpha = (band + 1) * bands.width * 180.0 / std::numbers::pi;
+    const auto upTo = [&](uint32_t of) { return (of + 1) * bands.width * 180.0 / std::numbers::pi; };
+    const double alpha = upTo(band);
     Decision test = testOf({Subject::Kind::Band, band * bands.sectors + sector, record.subject().number},
                            sizeSentence(entry, alpha <= 90.0 + 1e-9), {entry.size, entry.horizon, alpha, sector + 1.0});
+    if (entry.cutBy != BandSector::kUncut) test.operands[test.operandCount++] = upTo(entry.cutBy);
     test.containment = entry.drawn ? Containment::Inside : entry.within ? Containment::Straddles : Containment::Outside;
     record.say(atLine(BandsLine::Bands, test));
 }

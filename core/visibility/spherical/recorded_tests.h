@@ -25,12 +25,14 @@ struct CellGroups {
 // Each of these is called where what it says was found. Where a record holds no tests, they say nothing; what was found besides
 // is attached all the same.
 
-/// The entry of corner ray `number`, from 0, into the bounding sphere.
-void sayEntry(const CornerRay& ray, uint32_t number, ObjectRecord& record);
+/// The entry of corner ray `number`, from 0, into the bounding sphere, or into the `box`.
+void sayEntry(const CornerRay& ray, uint32_t number, bool box, ObjectRecord& record);
 /// What the search along a corner ray found in a cell.
 void sayWalkedCell(const SphericalMaps& maps, const WalkedCell& walked, uint32_t number, ObjectRecord& record);
 /// What a corner ray found in the end.
 void sayRay(const CornerRay& ray, uint32_t number, ObjectRecord& record);
+/// That bands decide about an object that is not inside the frustum, as so many corner rays meet it.
+void sayBranch(size_t hits, ObjectRecord& record);
 /// The region between the rays' points with so many triangles in its cells, then the boxes around it.
 void sayRegion(const VisibleRegion& region, uint64_t triangles, ObjectRecord& record);
 /// The test of a sector of a contour band by S.

@@ -35,7 +35,6 @@ public:
         const MapPlace place(m_context.scene, map);
         addCircles(map, place);
         if (map.tree && map.decision.walk) addCells(map, place);
-        if (map.decision.relation != SphereRelation::Cut) return;
         if (map.decision.region) addRegion(map, place);
         for (const CornerRay& ray : map.decision.rays)
             if (ray.followed) addRay(ray, map.decision.eye, place);

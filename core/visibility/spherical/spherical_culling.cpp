@@ -5,6 +5,7 @@
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/spherical/mapped_culling.h"
+#include "core/visibility/spherical/readings.h"
 #include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/spherical/visible_region.h"
@@ -20,31 +21,49 @@ protected:
                                     Facing /*facing*/) const override {
         return Promise::Approximate;
     }
-    [[nodiscard]] Cause causeOf(SphereRelation relation) const override {
-        return relation == SphereRelation::Within ? Cause::Hidden : Cause::OutsideFrustum;
+    [[nodiscard]] Cause causeOf(const SphericalDecision& decision) const override {
+        return decision.bands ? Cause::Hidden : Cause::OutsideFrustum;
     }
     [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfBands(decision); }
 
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
                      SphericalDecision& decision, ObjectRecord* record) const override {
+        const Readings readings = readingsOf(parameters);
         if (view.relation == SphereRelation::Within) {
-            decision.bands = bandsFor(view.eye, parameters);
-            attachBands(*decision.bands, false, record);
-            decision.drawn = drawnByS(*mesh.bandCells, *decision.bands, record);
-            attachBands(*decision.bands, true, record);
+            decideByBands(mesh, view, parameters, readings, decision, record);
             return;
         }
-        for (uint32_t i = 0; i < decision.rays.size(); ++i)
+        std::vector<CornerRay> corners;
+        for (uint32_t i = 0; i < decision.rays.size(); ++i) {
             // The ray starts at the near plane: nothing before it is visible.
-            decision.rays[i] =
-                followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, i, record);
-        const Join join = parameters.choice("joined") == "arcs" ? Join::Arcs : Join::Chart;
-        decision.region = visibleRegion(*mesh.maps, decision.rays, join);
+            const Ray ray{view.eye + view.cornerDirections[i], view.cornerDirections[i]};
+            decision.rays[i] = followCorner(*mesh.maps, ray, i, readings.start, record);
+            if (decision.rays[i].hit || readings.missed == Missed::Nearest) corners.push_back(decision.rays[i]);
+        }
+        const auto hits = std::ranges::count_if(decision.rays, [](const CornerRay& ray) { return ray.hit.has_value(); });
+        if ((hits == 0 && readings.branch == Branch::Text) || (hits < 4 && readings.missed == Missed::Bands)) {
+            if (record != nullptr) sayBranch(size_t(hits), *record);
+            decideByBands(mesh, view, parameters, readings, decision, record);
+            return;
+        }
+        if (corners.empty()) return;
+        const std::optional<Pole> pole =
+            readings.pole == PoleRule::Direction ? std::optional(poleInView(*mesh.maps, view)) : std::nullopt;
+        decision.region = visibleRegion(*mesh.maps, corners, readings.join, pole);
         decision.drawn = runsOf(mesh.maps->grid(), *decision.region);
         if (record == nullptr) return;
         uint64_t triangles = 0;
         for (const CellRun& run : decision.drawn) triangles += mesh.maps->run(run.first, run.last).second;
         sayRegion(*decision.region, triangles, *record);
+    }
+
+private:
+    static void decideByBands(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
+                              const Readings& readings, SphericalDecision& decision, ObjectRecord* record) {
+        decision.bands = bandsFor(view.eye, parameters);
+        attachBands(*decision.bands, false, record);
+        decision.drawn = drawnByS(*mesh.bandCells, *decision.bands, readings.cut, record);
+        attachBands(*decision.bands, true, record);
     }
 };
 
@@ -58,10 +77,7 @@ RegisteredStrategy spherical() {
                       "Han & Hong 2008",
                       {facingParameter("two-sided"), rowsParameter()}};
     std::ranges::move(bandParameters(5.0, 36), std::back_inserter(info.parameters));
-    info.parameters.push_back(
-        choiceParameter("joined", "chart", CULLSCOPE_TR("How the four hits are joined to the visible region."),
-                        {{"chart", CULLSCOPE_TR("straight on the map, so that the extremes are the hits'")},
-                         {"arcs", CULLSCOPE_TR("by great circles, whose extremes may lie between the hits")}}));
+    std::ranges::move(readingParameters(), std::back_inserter(info.parameters));
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
     info.shows = withListing(showsOfBands(), bandsListing());
     return {info, std::make_shared<Spherical>(info.id)};

@@ -37,7 +37,7 @@ protected:
         // A star-shaped mesh whose front does not suffice is turned inward, and has both sides drawn.
         structure.starShaped[size_t(Facing::ByObject)] = both;
     }
-    [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
+    [[nodiscard]] Cause causeOf(const SphericalDecision& /*decision*/) const override { return Cause::Hidden; }
     [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfHorizon(decision); }
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
                      SphericalDecision& decision, ObjectRecord* record) const override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/geometry/angle.h"
 #include "core/visibility/spherical/recorded_tests.h"
@@ -36,6 +37,9 @@ struct Outline {
     double leastPhi = 1e9, mostPhi = -1e9;
     double turned = 0.0;  ///< sum of azimuth changes around the outline
 
+    [[nodiscard]] bool winds() const { return std::abs(turned) > kPi; }
+    [[nodiscard]] bool wholeTurn() const { return mostPhi - leastPhi >= kTurn; }
+
     void take(double theta, double phi) {
         leastTheta = std::min(leastTheta, theta);
         mostTheta = std::max(mostTheta, theta);
@@ -56,12 +60,12 @@ void addArc(Outline& outline, const Vec3& from, const Vec3& to, double phi) {
     if (const std::optional<Vec2> extreme = extremeOfArc(a, b)) outline.take(extreme->x, phi + turn(phi, extreme->y));
 }
 
-Outline outlineOf(std::span<const CornerRay, 4> corners, Join join) {
+Outline outlineOf(std::span<const CornerRay> corners, Join join) {
     Outline outline;
     double phi = sphericalPoint(corners[0].point).phi;
     for (size_t i = 0; i < corners.size(); ++i) {
         const Vec3& from = corners[i].point;
-        const Vec3& to = corners[(i + 1) % 4].point;
+        const Vec3& to = corners[(i + 1) % corners.size()].point;
         const SphericalPoint point = sphericalPoint(from);
         outline.points.emplace_back(point.theta, phi);
         outline.take(point.theta, phi);
@@ -75,7 +79,7 @@ Outline outlineOf(std::span<const CornerRay, 4> corners, Join join) {
 }
 
 /// Extends the region by the centroids of the hit triangles, whose cells belong to it.
-void takeHits(Outline& outline, const SphericalMaps& maps, std::span<const CornerRay, 4> corners) {
+void takeHits(Outline& outline, const SphericalMaps& maps, std::span<const CornerRay> corners) {
     const double middle = (outline.leastPhi + outline.mostPhi) / 2;
     for (const CornerRay& corner : corners) {
         if (!corner.hit) continue;
@@ -85,16 +89,18 @@ void takeHits(Outline& outline, const SphericalMaps& maps, std::span<const Corne
     }
 }
 
-bool aroundNorth(std::span<const CornerRay, 4> corners) {
+/// The pole around which the outline winds.
+Pole poleOf(const Outline& outline, std::span<const CornerRay> corners) {
+    if (!outline.winds()) return Pole::None;
     double height = 0.0;
     for (const CornerRay& corner : corners) height += corner.point.z / std::max(glm::length(corner.point), 1e-300);
-    return height >= 0.0;
+    return height >= 0.0 ? Pole::North : Pole::South;
 }
 
 std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, int caseNumber) {
     const uint32_t firstRow = grid.rowOf(outline.leastTheta), lastRow = grid.rowOf(outline.mostTheta);
     const uint32_t last = grid.columns() - 1;
-    if (caseNumber == 1 || outline.mostPhi - outline.leastPhi >= kTurn) return {{firstRow, lastRow, 0, last}};
+    if (caseNumber == 1 || outline.wholeTurn()) return {{firstRow, lastRow, 0, last}};
     const auto column = [&](double phi) {
         const double inTurn = phi - kTurn * std::floor(phi / kTurn);
         return grid.columnOf(inTurn < kTurn ? inTurn : 0.0);
@@ -106,24 +112,56 @@ std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, 
     return {{firstRow, lastRow, from, last}, {firstRow, lastRow, 0, to}};
 }
 
-CornerRay cornerOf(const SphericalMaps& maps, const Ray& ray, uint32_t number, ObjectRecord* record) {
+/// The mesh's box, relative to the centre of the maps.
+Box3 boxOf(const SphericalMaps& maps) {
+    const Box3& box = maps.mesh().localBounds();
+    return {box.min - maps.sphere().centre, box.max - maps.sphere().centre};
+}
+
+/// The ray parameters at which a ray enters and leaves a box; none where it misses. The entry is at least 0.
+std::optional<Span> throughBox(const Ray& ray, const Box3& box) {
+    Span span{0.0, std::numeric_limits<double>::infinity()};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double from = ray.origin[axis], step = ray.direction[axis];
+        if (step == 0.0) {
+            if (from < box.min[axis] || from > box.max[axis]) return std::nullopt;
+            continue;
+        }
+        const double one = (box.min[axis] - from) / step, other = (box.max[axis] - from) / step;
+        span.from = std::max(span.from, std::min(one, other));
+        span.to = std::min(span.to, std::max(one, other));
+    }
+    return span.from <= span.to ? std::optional(span) : std::nullopt;
+}
+
+/// The point of the sphere, or of the box, nearest to a ray that misses it: of the sphere exactly, of the box as that nearest to
+/// the ray's point that is nearest to the centre.
+Vec3 nearestTo(const Ray& ray, const SphericalMaps& maps, RayStart start) {
+    const double t = std::max(0.0, -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction));
+    const Vec3 nearest = ray.at(t);
+    if (start == RayStart::Sphere) return nearest * (maps.sphere().radius / glm::length(nearest));
+    const Box3 box = boxOf(maps);
+    return glm::clamp(nearest, box.min, box.max);
+}
+
+CornerRay cornerOf(const SphericalMaps& maps, const Ray& ray, uint32_t number, RayStart start, ObjectRecord* record) {
     CornerRay corner;
     corner.followed = true;
     corner.ray = ray;
-    const double radius = maps.sphere().radius;
-    corner.span = throughSphere(ray, radius);
+    const bool box = start == RayStart::Box;
+    corner.span = box ? throughBox(ray, boxOf(maps)) : throughSphere(ray, maps.sphere().radius);
     if (!corner.span) {
-        // The sphere's point nearest to the ray lies on the radius through the ray's point nearest to the centre.
-        const double t = std::max(0.0, -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction));
-        const Vec3 nearest = ray.at(t);
-        corner.point = nearest * (radius / glm::length(nearest));
+        corner.point = nearestTo(ray, maps, start);
         return corner;
     }
+    // A little larger than the bounds, because they are rounded.
+    const double more = 1e-6 * maps.sphere().radius / glm::length(ray.direction);
+    const Span searched{std::max(0.0, corner.span->from - more), corner.span->to + more};
     if (record == nullptr) {
-        corner.hit = searchTriangle(maps, ray);
+        corner.hit = searchTriangle(maps, ray, searched);
     } else {
-        sayEntry(corner, number, *record);
-        corner.hit = searchTriangle(maps, ray, [&](const WalkedCell& walked) {
+        sayEntry(corner, number, box, *record);
+        corner.hit = searchTriangle(maps, ray, searched, [&](const WalkedCell& walked) {
             corner.walkedCells.push_back(walked);
             sayWalkedCell(maps, walked, number, *record);
         });
@@ -132,22 +170,45 @@ CornerRay cornerOf(const SphericalMaps& maps, const Ray& ray, uint32_t number, O
     return corner;
 }
 
+/// R of the outermost surface in a row of cells, 0 where there is none.
+double outermost(const SphericalMaps& maps, uint32_t row) {
+    double result = 0.0;
+    for (uint32_t column = 0; column < maps.grid().columns(); ++column) {
+        const SphericalMaps::Extent& extent = maps.extent(maps.grid().number({row, column}));
+        if (!extent.empty()) result = std::max(result, double(extent.farthest));
+    }
+    return result;
+}
+
 }  // namespace
 
-CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, uint32_t number, ObjectRecord* record) {
-    CornerRay corner = cornerOf(maps, ray, number, record);
+CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, uint32_t number, RayStart start, ObjectRecord* record) {
+    CornerRay corner = cornerOf(maps, ray, number, start, record);
     if (record != nullptr) sayRay(corner, number, *record);
     return corner;
 }
 
-VisibleRegion visibleRegion(const SphericalMaps& maps, std::span<const CornerRay, 4> corners, Join join) {
+Pole poleInView(const SphericalMaps& maps, const ObjectSpaceView& view) {
+    for (const Pole pole : {Pole::North, Pole::South}) {
+        const Vec3 up(0.0, 0.0, pole == Pole::North ? 1.0 : -1.0);
+        const Vec3 point = outermost(maps, pole == Pole::North ? 0 : maps.grid().rows() - 1) * up;
+        const bool seen = glm::dot(view.eye - point, up) > 0.0;
+        if (seen && std::ranges::all_of(view.planesOnMap, [&](const Plane& plane) { return plane.distance(point) >= 0.0; }))
+            return pole;
+    }
+    return Pole::None;
+}
+
+VisibleRegion visibleRegion(const SphericalMaps& maps, std::span<const CornerRay> corners, Join join, std::optional<Pole> pole) {
     Outline outline = outlineOf(corners, join);
     takeHits(outline, maps, corners);
     VisibleRegion region;
-    const bool aroundPole = std::abs(outline.turned) > kPi;
-    if (aroundPole) (aroundNorth(corners) ? outline.leastTheta : outline.mostTheta) = aroundNorth(corners) ? 0.0 : kPi;
+    region.winds = outline.winds();
+    const Pole within = pole ? *pole : poleOf(outline, corners);
+    if (within == Pole::North) outline.leastTheta = 0.0;
+    if (within == Pole::South) outline.mostTheta = kPi;
     const bool overSeam = std::floor(outline.leastPhi / kTurn) != std::floor(outline.mostPhi / kTurn);
-    region.caseNumber = aroundPole ? 1 : overSeam ? 3 : 2;
+    region.caseNumber = within != Pole::None ? 1 : overSeam && !outline.wholeTurn() ? 3 : 2;
     region.boxes = boxesOf(maps.grid(), outline, region.caseNumber);
     region.outline = std::move(outline.points);
     return region;

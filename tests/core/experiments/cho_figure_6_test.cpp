@@ -10,6 +10,7 @@
 #include "core/visibility/strategy_request.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
+#include "tests/support/table_cells.h"
 
 namespace cullscope::test::cho_figure_6_test {
 namespace {
@@ -17,16 +18,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 const Experiment& experiment() { return findExperiment("vfc-40-views"); }
-
-const CellValue& valueOf(const ResultTable& table, size_t row, const std::string& key) {
-    for (size_t i = 0; i < table.columns.size(); ++i)
-        if (table.columns[i].key == key) return table.rows.at(row).at(i);
-    ADD_FAILURE() << "there is no column " << key;
-    static const CellValue kNothing;
-    return kNothing;
-}
-
-double number(const ResultTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
 
 bool empty(const ResultTable& table, size_t row, const std::string& key) {
     return std::holds_alternative<std::monostate>(valueOf(table, row, key));

@@ -190,6 +190,39 @@ TEST(SphericalPicture, lossAtHighLatitudesIsOfSphericalAlone) {
         EXPECT_EQ(lossOver("spherical-horizon", scene, {at(latitude)}), 0.0) << latitude;
 }
 
+TEST(SphericalPicture, whereNoCornerRayHitsItLosesWhatItsBandsLose) {
+    // An orbit at 45 degrees from 1.6 to 2.7 radii: the frustum cuts the bounding sphere, and the four rays pass the object by.
+    const bool bunny = std::filesystem::exists(CULLSCOPE_SOURCE_DIR "/../shared/models/bunny.obj") && !fewSamples();
+    const ScenePointer scene = bunny ? openScene("mesh:bunny").scene : sceneOf({bumpyMesh(4, 20'000, 0.3)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CullerPointer text = makeCuller("spherical"), appendix = strategyWith("spherical", {{"branch", "appendix"}});
+    text->build(*scene);
+    appendix->build(*scene);
+    const Sphere& around = scene->boundingSphere();
+    Random random(2008);
+    uint64_t missed = 0, missedByAppendix = 0, covered = 0, views = 0;
+    for (uint64_t i = 0; i < howMany(240, 24); ++i) {
+        const Vec3 eye = around.centre + random.between(1.6, 2.7) * around.radius * random.direction();
+        const View view({eye, around.centre, random.direction(), Angle::fromDegrees(45), 0.05 * around.radius, 10 * around.radius},
+                        {640, 480});
+        const spherical::SphericalDecision decision =
+            spherical::decisionsOf(text->cull(view, Recording::On).log).at(0);
+        if (std::ranges::any_of(decision.rays, [](const spherical::CornerRay& ray) { return ray.hit.has_value(); })) continue;
+        ASSERT_TRUE(decision.bands);
+        ++views;
+        const Accuracy own = accuracyOf(*text, buffers, view);
+        missed += own.missedPixels;
+        covered += own.coveredPixels;
+        missedByAppendix += accuracyOf(*appendix, buffers, view).missedPixels;
+    }
+    std::printf("long: spherical without hits views %llu missed %llu by the appendix %llu of %llu pixels\n",
+                static_cast<unsigned long long>(views), static_cast<unsigned long long>(missed),
+                static_cast<unsigned long long>(missedByAppendix), static_cast<unsigned long long>(covered));
+    EXPECT_GT(views, 15u);
+    EXPECT_LE(double(missed), 0.06 * double(covered));
+    EXPECT_GT(missedByAppendix, missed) << "Appendix 1 makes corners of rays that miss";
+}
+
 TEST(SphericalPicture, pathsShowThePapersCases) {
     const std::string file = CULLSCOPE_SOURCE_DIR "/../shared/models/bunny.obj";
     // Without the bunny's file, and for a small sample, a body of its proportions is used.

@@ -67,7 +67,7 @@ TEST(RecordedDecisions, bandsAreThoseOfTheStreamAndThoseThatDecided) {
     // The same decision, made here.
     const spherical::MapSnapshot map = *spherical::mapOf(recorded.culler->snapshot(recorded.frame.log), 0);
     spherical::ContourBands own = spherical::makeBands(decision.eye, decision.bands->width, decision.bands->sectors);
-    const std::vector<spherical::CellRun> drawn = drawnByS(spherical::BandCells(*map.maps), own);
+    const std::vector<spherical::CellRun> drawn = drawnByS(spherical::BandCells(*map.maps), own, spherical::Cut::ForGood);
     EXPECT_EQ(decision.drawn, drawn);
     ASSERT_EQ(decision.bands->table.size(), own.table.size());
     size_t hidden = 0, empty = 0;

@@ -126,13 +126,14 @@ TEST(RecordedTests, areSaidWhileTheyAreMade) {
         return frame.said() - 1;
     };
     size_t walked = 0;
-    const size_t ofRay =
-        tests([&](spherical::ObjectRecord& record) { walked = followCorner(maps, ray, 1, &record).walkedCells.size(); });
+    const size_t ofRay = tests([&](spherical::ObjectRecord& record) {
+        walked = followCorner(maps, ray, 1, spherical::RayStart::Sphere, &record).walkedCells.size();
+    });
     EXPECT_GT(walked, 3u);
     EXPECT_EQ(ofRay, walked + 2) << "its entry, every cell, and what it found";
     const size_t ofBands = tests([&](spherical::ObjectRecord& record) {
         spherical::ContourBands bands = spherical::makeBands({3, 0, 0}, 0.1, 8);
-        (void)drawnByS(spherical::BandCells(maps), bands, &record);
+        (void)drawnByS(spherical::BandCells(maps), bands, spherical::Cut::ForGood, &record);
     });
     EXPECT_GT(ofBands, 100u) << "sectors";
 }

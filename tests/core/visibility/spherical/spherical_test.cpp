@@ -61,7 +61,7 @@ double shareLost(double latitude, spherical::Join join) {
         corners[i].ray = {view.eye(), directions[i]};
         corners[i].point = corners[i].ray.at(throughSphere(corners[i].ray, 1.0)->from);
     }
-    return shareOutsideBoxes(spherical::visibleRegion(maps, corners, join), maps.grid(), view);
+    return shareOutsideBoxes(spherical::visibleRegion(maps, corners, join, std::nullopt), maps.grid(), view);
 }
 
 TEST(Spherical, case12CornerBoxLosesTheSharesThatAreKnown) {

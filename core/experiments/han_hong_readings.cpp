@@ -1,0 +1,162 @@
+#include "core/experiments/han_hong_readings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/experiments/han_hong_rows.h"
+#include "core/visibility/spherical/readings.h"
+#include "core/visibility/strategy_request.h"
+
+namespace cullscope {
+namespace {
+
+using namespace han_hong;
+using Origin = ResultColumn::Origin;
+
+constexpr const char* kDistance = "distance_r";
+
+/// Views of a whole object from directions spread evenly, at one distance in radii of its bounding sphere.
+CameraPath viewsFrom(const Scene& scene, size_t directions, double distance, Angle field, std::string name) {
+    CameraPath path = cameraPath(fmt::format("fibonacci:{}", directions), scene);
+    const Sphere& around = scene.boundingSphere();
+    path.name = std::move(name);
+    path.fovy = field;
+    path.nearDistance = std::max(0.5 * (distance - 1.0), 0.001) * around.radius;
+    path.farDistance = (distance + 2.0) * around.radius;
+    for (CameraPath::Pose& pose : path.poses) {
+        const Vec3 direction = glm::normalize(pose.eye - around.centre);
+        pose.eye = around.centre + distance * around.radius * direction;
+        pose.target = around.centre;
+    }
+    return path;
+}
+
+/// From 1.6 to 2.7 radii with 45 degrees: around where an object of the usual proportions begins to be in view whole.
+CameraPath viewsNearTheEdge(const Scene& scene) {
+    CameraPath all;
+    for (const double distance : {1.6, 1.8, 2.0, 2.2, 2.45, 2.7}) {
+        CameraPath path = viewsFrom(scene, 6, distance, Angle::fromDegrees(45.0), "around-2r");
+        if (all.poses.empty()) {
+            all = path;
+        } else {
+            all.poses.insert(all.poses.end(), path.poses.begin(), path.poses.end());
+        }
+        all.nearDistance = std::min(all.nearDistance, path.nearDistance);
+        all.farDistance = std::max(all.farDistance, path.farDistance);
+    }
+    return all;
+}
+
+/// `spherical` as it reads the paper by default, and with each other reading alone.
+std::vector<std::string> readings() {
+    std::vector<std::string> result{"spherical"};
+    for (const ParameterDeclaration& parameter : spherical::readingParameters())
+        for (const ParameterDeclaration::Choice& choice : parameter.choices)
+            if (choice.id != std::get<std::string>(parameter.defaultValue))
+                result.push_back(fmt::format("spherical:{}={}", parameter.key, choice.id));
+    return result;
+}
+
+Setting settingOf(const char* path, Viewport size) {
+    Setting setting;
+    setting.scene = kBunny;
+    setting.shown = "spherical";
+    setting.path = path;
+    setting.size = size;
+    return setting;
+}
+
+}  // namespace
+
+Experiment sphericalReadings() {
+    Experiment experiment;
+    experiment.id = "spherical-readings";
+    experiment.title = CULLSCOPE_TR("What the paper leaves open, reading by reading");
+    experiment.source = std::string(kSource) + ", text and Appendix 1";
+    experiment.notes = {
+        note(CULLSCOPE_TR("Section 2.3 sends objects that no corner ray meets to the contour bands; Appendix 1 only those whose "
+                          "bounding sphere lies inside the frustum. What becomes of one to three rays that miss, how hits are "
+                          "joined, and whether a band that is hidden ends its sector, the paper does not say.")),
+        note(CULLSCOPE_TR("Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, "
+                          "36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.")),
+        lossNote()};
+    Axis strategies{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
+    for (const char* baseline : {"all", "backface"}) strategies.values.emplace_back(std::string(baseline));
+    for (const std::string& reading : readings()) strategies.values.emplace_back(reading);
+    Axis paths{"path", CULLSCOPE_TR("views"), Axis::Kind::Path, {}};
+    std::vector<Setting> settings{settingOf("case-1", {320, 240}), settingOf("case-2", {320, 240}),
+                                  settingOf("case-3", {320, 240}), settingOf("around-2r", kLarge),
+                                  settingOf("fibonacci:12", kLarge)};
+    settings[3].views = viewsNearTheEdge;
+    for (Setting& setting : settings) {
+        setting.labels = {{"path", setting.path}};
+        paths.values.emplace_back(setting.path);
+        experiment.settings.push_back(settingsOf({strategies}, setting).front());
+    }
+    experiment.axes = {paths, strategies};
+    experiment.columns = timedColumns(experiment.axes, {});
+    experiment.rowsOfRuns = sphericalRows;
+    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
+    return experiment;
+}
+
+Experiment sphericalDomain() {
+    Experiment experiment;
+    experiment.id = "spherical-domain";
+    experiment.title = CULLSCOPE_TR("Where the spherical method works");
+    experiment.source = kSource;
+    experiment.notes = {
+        note(CULLSCOPE_TR(
+            "Eight directions spread evenly; the distance of the eye is in radii of the bounding sphere, the field of "
+            "view is vertical, the picture 640 × 480. Of four corner rays that hit, the region between them is drawn; "
+            "of none, contour bands decide.")),
+        lossNote()};
+    Axis distances{kDistance, CULLSCOPE_TR("distance, radii"), Axis::Kind::Label,
+                   axisValues(std::array{1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0})};
+    Axis fields{kField, CULLSCOPE_TR("field of view, °"), Axis::Kind::Label,
+                axisValues(std::array{10.0, 20.0, 35.0, 45.0, 65.0, 90.0})};
+    Axis strategies{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
+    for (const char* id : {"all", "backface", "spherical"}) strategies.values.emplace_back(std::string(id));
+    experiment.axes = {fields, distances, strategies};
+    experiment.settings = settingsOf(experiment.axes, settingOf("", kLarge));
+    for (Setting& setting : experiment.settings) {
+        const double distance = setting.number(kDistance), field = setting.number(kField);
+        setting.path = fmt::format("{:g} radii, {:g} degrees", distance, field);
+        setting.views = [distance, field, name = setting.path](const Scene& scene) {
+            return viewsFrom(scene, 8, distance, Angle::fromDegrees(field), name);
+        };
+    }
+    experiment.columns = timedColumns(experiment.axes, {});
+    experiment.rowsOfRuns = [](const Setting& setting, const MeasureResult& result) {
+        Rows rows = sphericalRows(setting, result);
+        for (Row& row : rows)
+            row["considered_share"] =
+                std::get<double>(row.at("considered_triangles")) / double(result.request.scene->triangleCount());
+        return rows;
+    };
+    experiment.columns.insert(experiment.columns.begin() + 4,
+                              {"considered_share", CULLSCOPE_TR("share of the faces"), Origin::Measured, 3});
+    const auto map = [](const char* title, const char* column, const char* words) {
+        RowPlot plot;
+        plot.plot.title = title;
+        plot.plot.x = {CULLSCOPE_TR("distance, radii"), PlotScale::Linear, 0.0, 0.0, true};
+        plot.plot.y = {words, PlotScale::Linear, 0.0, 0.0, true};
+        plot.x = kDistance;
+        plot.y = {{column}};
+        plot.lines = {kField};
+        plot.rows = {{"strategy", {CellValue(std::string("spherical"))}}};
+        plot.byX = true;
+        return plot;
+    };
+    experiment.plots = {
+        map(CULLSCOPE_TR("Corner rays that hit, by field of view in degrees"), "rays_hit", CULLSCOPE_TR("rays that hit, of 4")),
+        map(CULLSCOPE_TR("Faces considered, by field of view in degrees"), "considered_share",
+            CULLSCOPE_TR("share of the faces")),
+        map(CULLSCOPE_TR("Lost pixels, by field of view in degrees"), "missed_pixel_rate", CULLSCOPE_TR("missed pixels, share")),
+        map(CULLSCOPE_TR("Speed against all, by field of view in degrees"), "ratio_to_all", CULLSCOPE_TR("× all"))};
+    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
+    return experiment;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "core/experiments/experiment.h"
+#include "core/scene/camera_path.h"
+
+/// Views for the tables of Han & Hong 2008.
+namespace cullscope::han_hong {
+
+/// What `spherical` considers of a scene's first object (the paper's column 고려되는 면 개수).
+struct Considered {
+    int caseNumber = 0;  ///< 0: no region; bands decide, or nothing
+    size_t hits = 0;     ///< corner rays that hit
+    uint64_t faces = 0;  ///< of the cells in the region's boxes; without a region 0
+};
+
+/// The faces that `spherical` considers, without drawing them.
+class ConsideredFaces {
+public:
+    explicit ConsideredFaces(const Scene& scene);
+    ~ConsideredFaces();
+
+    [[nodiscard]] Considered in(const View& view) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Table 2's cases: the paper's considered faces over the faces of its Table 2, and the direction to the eye.
+struct TableCase {
+    int number = 1;
+    double share = 0.0;
+    Vec3 direction, up;
+};
+[[nodiscard]] const std::array<TableCase, 3>& tableCases();
+
+/// Twelve views of a case with this vertical field of view at 4 : 3, each from slightly another direction, with the target (the
+/// surface's middle, the bounding sphere's centre, or between both) and the distance at which the case is the stated one and the
+/// considered faces are nearest to the case's share of the object's, and of these with the most corner rays that hit. A direction
+/// that gives the case with no target and distance has a view with nearly as many faces of another case; the rows of such a path
+/// show it. The scene must not be empty.
+[[nodiscard]] CameraPath viewsOfCase(const Scene& scene, const TableCase& wanted, Angle field);
+
+/// The share of an object's faces that views of a case consider: the range over the same targets and distances of 1.02 to 12
+/// radii at which the case occurs, from one direction; none where it occurs at no distance.
+struct ShareRange {
+    double least = 0.0, most = 0.0;
+};
+[[nodiscard]] std::optional<ShareRange> sharesOfCase(const Scene& scene, const ConsideredFaces& faces, const TableCase& wanted,
+                                                     Angle field, const Vec3& direction);
+
+/// Which cases have views with the paper's number of faces: by lens, over all targets, distances and a case's twelve directions.
+[[nodiscard]] Experiment tableViews();
+
+}  // namespace cullscope::han_hong
