@@ -5105,6 +5105,30 @@
         <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
         <translation>모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 칸들의 삼각형: %3.</translation>
     </message>
+    <message>
+        <source>not at all: the bounding sphere by its radius</source>
+        <translation>상자 없이: 경계 구를 반지름으로</translation>
+    </message>
+    <message>
+        <source>Where the six planes come from.</source>
+        <translation>여섯 평면을 얻는 곳.</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s basis</source>
+        <translation>카메라의 기저</translation>
+    </message>
+    <message>
+        <source>rows of the clip matrix (Gribb &amp; Hartmann 2001)</source>
+        <translation>클립 행렬의 행 (Gribb &amp; Hartmann 2001)</translation>
+    </message>
+    <message>
+        <source>corners of the inverse clip cube (Orangelie 2023, mended)</source>
+        <translation>클립 정육면체의 역변환 모서리 (Orangelie 2023, 고친 것)</translation>
+    </message>
+    <message>
+        <source>the same as printed, with radius or extent length: loses objects</source>
+        <translation>같은 것을 쓰인 그대로, 반지름이나 한계벡터 길이로: 물체를 잃습니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

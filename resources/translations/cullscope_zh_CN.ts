@@ -5105,6 +5105,30 @@
         <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
         <translation>角之间的区域属于情况 %1；其外的盒：%2；这些单元中的三角形：%3。</translation>
     </message>
+    <message>
+        <source>not at all: the bounding sphere by its radius</source>
+        <translation>不检验盒：以半径检验包围球</translation>
+    </message>
+    <message>
+        <source>Where the six planes come from.</source>
+        <translation>六个平面从何而来。</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s basis</source>
+        <translation>相机的基</translation>
+    </message>
+    <message>
+        <source>rows of the clip matrix (Gribb &amp; Hartmann 2001)</source>
+        <translation>裁剪矩阵的行（Gribb &amp; Hartmann 2001）</translation>
+    </message>
+    <message>
+        <source>corners of the inverse clip cube (Orangelie 2023, mended)</source>
+        <translation>逆变换裁剪立方体的角（Orangelie 2023，已修正）</translation>
+    </message>
+    <message>
+        <source>the same as printed, with radius or extent length: loses objects</source>
+        <translation>同上但照原文，用半径或延伸向量长度：会丢失对象</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

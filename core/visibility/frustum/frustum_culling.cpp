@@ -5,6 +5,7 @@
 #include "core/geometry/oriented_box.h"
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/frustum/plane_sources.h"
 #include "core/visibility/frustum/rejected_objects.h"
 #include "core/visibility/object_nodes.h"
 
@@ -14,11 +15,18 @@ namespace {
 /// The lines of the listing (frustumListing).
 enum class FrustumLine : uint8_t { Batches = 1, Planes, Distance, Beyond, Objects, Outside, Draw };
 
-enum class BoxTest { PVertex, Oriented, Length };
+enum class BoxTest { PVertex, Oriented, Length, Sphere };
 
 BoxTest boxTestFromId(const std::string& id) {
     if (id == "oriented") return BoxTest::Oriented;
+    if (id == "sphere") return BoxTest::Sphere;
     return id == "length" ? BoxTest::Length : BoxTest::PVertex;
+}
+
+PlaneSource sourceFromId(const std::string& id) {
+    if (id == "rows") return PlaneSource::Rows;
+    if (id == "corners") return PlaneSource::Corners;
+    return id == "as-published" ? PlaneSource::AsPublished : PlaneSource::Basis;
 }
 
 /// The tighter of two bounds: the smaller distance with its margin.
@@ -56,8 +64,14 @@ OrientedBox orientedBoxOf(const Scene& scene, uint32_t instance, const Vec3& eye
 /// The tests of one frame.
 class ObjectTests {
 public:
-    ObjectTests(FrameContext& frame, const ObjectBatches& batches, BoxTest test)
-        : m_frame(frame), m_batches(batches), m_test(test), m_frustum(frame.view().frustum(), frame.view().eye()) {
+    ObjectTests(FrameContext& frame, const ObjectBatches& batches, BoxTest test, PlaneSource source)
+        : m_frame(frame),
+          m_batches(batches),
+          m_test(test),
+          m_sourced(frustumFrom(frame.view(), source)),
+          m_frustum(m_sourced.frustum, frame.view().eye()) {
+        if (source == PlaneSource::AsPublished) m_published = publishedPlanes(frame.view());
+        if (!m_sourced.kept) frame.counters().figures.push_back({"planes_of_the_basis", 1.0});
         findOutsideObjects();
     }
 
@@ -66,7 +80,7 @@ public:
 private:
     /// Sets the bit of every object that is outside. While the frame is recorded, each test is said where the batch makes it.
     void findOutsideObjects() {
-        if (m_test == BoxTest::Length) {
+        if (m_test == BoxTest::Length || m_published) {
             m_outside.assign(m_batches.boxes->wordCount(), 0);
             addOutside();
             return;
@@ -74,6 +88,7 @@ private:
         BatchTestTold told;
         if (m_frame.recording()) told = [this](uint32_t i, FrustumPlane plane, const PlaneReach& reach) { say(i, plane, reach); };
         findOutside(*m_batches.spheres, m_frustum, bestSimdLevel(), m_outside, told);
+        if (m_test == BoxTest::Sphere) return;
         if (m_test == BoxTest::Oriented) {
             addOutside();
             return;
@@ -109,9 +124,10 @@ private:
 
     /// How far one object by itself reaches inside one plane.
     [[nodiscard]] PlaneReach reachOf(uint32_t instance, FrustumPlane which) const {
+        if (m_published) return publishedReach(instance, (*m_published)[static_cast<size_t>(which)]);
         const View& view = m_frame.view();
         const BatchDistances sphere = m_frustum.distances(which, scene().instanceSphere(instance));
-        const Plane& plane = view.frustum().planes[static_cast<size_t>(which)];
+        const Plane& plane = m_sourced.frustum.planes[static_cast<size_t>(which)];
         const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
         if (m_test == BoxTest::Length) {
             const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.halfExtent);
@@ -123,11 +139,22 @@ private:
         return tighter({sphere.farthestInside, sphere.margin}, {pVertexDistance(plane, box), bounds.margin});
     }
 
+    /// The blog's test as printed, without a margin: the object's own position, and its radius or, of a box, the length of its
+    /// extent vector. Normals point outward and are not of unit length, and neither are these distances.
+    [[nodiscard]] PlaneReach publishedReach(uint32_t instance, const Plane& plane) const {
+        const Vec3 position(scene().instances()[instance].worldFromMesh[3]);
+        const double extent = m_test == BoxTest::Sphere ? scene().instanceSphere(instance).radius
+                                                        : glm::length(scene().instanceBox(instance).halfExtent());
+        return {extent - plane.distance(position), 0.0};
+    }
+
     [[nodiscard]] const Scene& scene() const { return m_frame.scene(); }
 
     FrameContext& m_frame;
     const ObjectBatches& m_batches;
     BoxTest m_test;
+    SourcedFrustum m_sourced;
+    std::optional<FrustumPlanes> m_published;
     BatchFrustum m_frustum;
     std::vector<uint64_t> m_outside;
 };
@@ -155,23 +182,24 @@ protected:
 
     void decide(FrameContext& frame, const ObjectBatches& batches, ViewState& /*state*/,
                 const ParameterSet& parameters) const override {
-        frame.draw(listed(frame, batches, boxTestFromId(parameters.choice("box"))));
+        frame.draw(listed(frame, batches, boxTestFromId(parameters.choice("box")), sourceFromId(parameters.choice("planes"))));
     }
 
-    [[nodiscard]] Promise promiseOf(const ObjectBatches& /*batches*/, const ParameterSet& /*parameters*/,
+    [[nodiscard]] Promise promiseOf(const ObjectBatches& /*batches*/, const ParameterSet& parameters,
                                     Facing /*facing*/) const override {
-        return Promise::Conservative;
+        return sourceFromId(parameters.choice("planes")) == PlaneSource::AsPublished ? Promise::Approximate
+                                                                                     : Promise::Conservative;
     }
     [[nodiscard]] StructureSnapshot snapshotOf(const ObjectBatches& batches, const FrameLog& log) const override {
         return objectNodes(log, batches.scene());
     }
 
 private:
-    [[nodiscard]] static DrawList listed(FrameContext& frame, const ObjectBatches& batches, BoxTest test) {
+    [[nodiscard]] static DrawList listed(FrameContext& frame, const ObjectBatches& batches, BoxTest test, PlaneSource source) {
         std::optional<ObjectTests> tests;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("plane tests"));
-            tests.emplace(frame, batches, test);
+            tests.emplace(frame, batches, test, source);
         }
         DrawList list{frame.facing(), {}};
         {
@@ -218,7 +246,13 @@ RegisteredStrategy frustum() {
          choiceParameter("box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
                          {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
                           {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
-                          {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
+                          {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")},
+                          {"sphere", CULLSCOPE_TR("not at all: the bounding sphere by its radius")}}),
+         choiceParameter("planes", "basis", CULLSCOPE_TR("Where the six planes come from."),
+                         {{"basis", CULLSCOPE_TR("the camera's basis")},
+                          {"rows", CULLSCOPE_TR("rows of the clip matrix (Gribb & Hartmann 2001)")},
+                          {"corners", CULLSCOPE_TR("corners of the inverse clip cube (Orangelie 2023, mended)")},
+                          {"as-published", CULLSCOPE_TR("the same as printed, with radius or extent length: loses objects")}})}};
     info.shows = {treeShow(), planesShow(), frustumListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumCulling>()};
 }

@@ -203,10 +203,10 @@ TEST(SphericalPicture, whereNoCornerRayHitsItLosesWhatItsBandsLose) {
     uint64_t missed = 0, missedByAppendix = 0, covered = 0, views = 0;
     for (uint64_t i = 0; i < howMany(240, 24); ++i) {
         const Vec3 eye = around.centre + random.between(1.6, 2.7) * around.radius * random.direction();
-        const View view({eye, around.centre, random.direction(), Angle::fromDegrees(45), 0.05 * around.radius, 10 * around.radius},
-                        {640, 480});
-        const spherical::SphericalDecision decision =
-            spherical::decisionsOf(text->cull(view, Recording::On).log).at(0);
+        const View view(
+            {eye, around.centre, random.direction(), Angle::fromDegrees(45), 0.05 * around.radius, 10 * around.radius},
+            {640, 480});
+        const spherical::SphericalDecision decision = spherical::decisionsOf(text->cull(view, Recording::On).log).at(0);
         if (std::ranges::any_of(decision.rays, [](const spherical::CornerRay& ray) { return ray.hit.has_value(); })) continue;
         ASSERT_TRUE(decision.bands);
         ++views;

@@ -16,7 +16,7 @@ constexpr uint64_t kAllPairs = 1'000'000;
 constexpr uint64_t kSample = 50'000;
 constexpr uint64_t kViewsPerScene = 20;
 
-enum Variant : size_t { PVertex, Oriented, Length, Groups, Refined, kVariants };
+enum Variant : size_t { PVertex, Oriented, Length, Sphere, Rows, Corners, Groups, Refined, kVariants };
 
 struct Setting {
     const char *name, *strategy, *parameter, *value;
@@ -25,6 +25,9 @@ struct Setting {
 constexpr std::array<Setting, kVariants> kSettings{{{"frustum", "frustum", "box", "p-vertex"},
                                                     {"frustum:box=oriented", "frustum", "box", "oriented"},
                                                     {"frustum:box=length", "frustum", "box", "length"},
+                                                    {"frustum:box=sphere", "frustum", "box", "sphere"},
+                                                    {"frustum:planes=rows", "frustum", "planes", "rows"},
+                                                    {"frustum:planes=corners", "frustum", "planes", "corners"},
                                                     {"frustum-octree:refine=off", "frustum-octree", "refine", "off"},
                                                     {"frustum-octree", "frustum-octree", "refine", "on"}}};
 
@@ -134,8 +137,8 @@ private:
         if (truth.object.visible && !truth.boxMeets) return "the box does not hold its object";
         if (!truth.boxMeetsInMargin && !culled[Refined]) return "box outside kept by the refinement";
         // An object that a looser test culls is also culled by the tighter one.
-        constexpr std::array<std::pair<Variant, Variant>, 4> kLooserThan{
-            {{Length, PVertex}, {PVertex, Oriented}, {PVertex, Groups}, {Groups, Refined}}};
+        constexpr std::array<std::pair<Variant, Variant>, 5> kLooserThan{
+            {{Length, PVertex}, {Sphere, PVertex}, {PVertex, Oriented}, {PVertex, Groups}, {Groups, Refined}}};
         for (const auto& [looser, tighter] : kLooserThan)
             if (culled[looser] && !culled[tighter] && truth.boxClearlyOutside)
                 return std::string("culled by ") + kSettings[looser].name + " and kept by " + kSettings[tighter].name;
