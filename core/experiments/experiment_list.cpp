@@ -18,7 +18,7 @@ const std::vector<Experiment>& knownExperiments() {
         experiments.push_back(han_hong::tableViews());
         experiments.push_back(sphericalReadings());
         experiments.push_back(sphericalDomain());
-        experiments.push_back(choFigure6());
+        for (Experiment& figure : choFigure6()) experiments.push_back(std::move(figure));
         experiments.push_back(lectureTable());
         for (Experiment& question : lectureQuestions()) experiments.push_back(std::move(question));
         experiments.push_back(bspPlanes());

@@ -18,8 +18,8 @@ TEST_F(CullbenchContract, listShowsEveryExperiment) {
     for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
     EXPECT_THAT(experiments,
                 testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "table-2-views", "spherical-readings",
-                                     "spherical-domain", "vfc-40-views", "lecture-table", "quiz", "example", "bsp-planes",
-                                     "plant-methods", "plant-pipelines", "plant-losses"));
+                                     "spherical-domain", "vfc-40-views", "vfc-fitted-views", "lecture-table", "quiz", "example",
+                                     "bsp-planes", "plant-methods", "plant-pipelines", "plant-losses"));
     const std::string text = cullbench({"list", "experiments"}).out;
     for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
 }
@@ -27,14 +27,14 @@ TEST_F(CullbenchContract, listShowsEveryExperiment) {
 TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
     expectRefusal(cullbench({"reproduce", "table-9"}), 2,
                   "Known: table-1, table-2, table-3, table-4, table-5, table-2-views, spherical-readings, spherical-domain, "
-                  "vfc-40-views, lecture-table, quiz, example, bsp-planes, "
+                  "vfc-40-views, vfc-fitted-views, lecture-table, quiz, example, bsp-planes, "
                   "plant-methods, plant-pipelines, plant-losses.");
     expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
     expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
     expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");
-    expectRefusal(
-        cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2,
-        "no plot. With a plot: spherical-domain, vfc-40-views, lecture-table, plant-methods, plant-pipelines, plant-losses.");
+    expectRefusal(cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2,
+                  "no plot. With a plot: spherical-domain, vfc-40-views, vfc-fitted-views, lecture-table, plant-methods, "
+                  "plant-pipelines, plant-losses.");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", "-", "--json", "-"}), 2, "--json and --svg");
     expectRefusal(cullbench({"reproduce", "all", "--csv", file("t.csv")}), 2, "--csv has the rows of one experiment");

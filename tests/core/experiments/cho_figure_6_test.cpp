@@ -93,6 +93,31 @@ TEST(ChoFigure6, figuresAreThoseThatThePaperPrints) {
     EXPECT_FALSE(paper.contains("frustum")) << "the paper draws both sides";
 }
 
+TEST(ChoFigure6, fittedViewsCullWhatThePaperCullsAndCouldGainWhatItGains) {
+    const ScenePointer scene = openScene("field:mesh=sphere:triangles=80,n=20,spacing=2.5").scene;
+    const CameraPath path = viewsFittedToFigure6(*scene);
+    ASSERT_EQ(path.poses.size(), 40u);
+    double culled = 0.0, limit = 0.0, most = 0.0;
+    for (size_t pose = 0; pose < path.poses.size(); ++pose) {
+        const View view(path.camera(pose), {650, 650});
+        double kept = 0.0;
+        for (size_t i = 0; i < scene->instances().size(); ++i)
+            kept +=
+                classify(view.frustum(), relativeToEye(scene->instanceBox(i), view.eye())) != Containment::Outside ? 1.0 : 0.0;
+        const double share = kept / double(scene->instances().size());
+        ASSERT_GT(share, 0.0) << pose;
+        culled += (1.0 - share) / 40.0;
+        limit += 1.0 / share / 40.0;
+        most = std::max(most, 1.0 / share);
+    }
+    EXPECT_NEAR(culled, 0.79, 0.01);
+    EXPECT_NEAR(limit, 12.0, 0.6);
+    EXPECT_NEAR(most, 39.8, 4.0);
+    const Experiment& fitted = findExperiment("vfc-fitted-views");
+    EXPECT_EQ(fitted.settings.front().stated, experiment().settings.front().stated);
+    EXPECT_TRUE(fitted.settings.front().views);
+}
+
 TEST(ChoFigure6, rowsAreWhatWasMeasured) {
     const ResultTable table = madeUpTable();
     ASSERT_EQ(table.rows.size(), 4u);
@@ -105,6 +130,8 @@ TEST(ChoFigure6, rowsAreWhatWasMeasured) {
     EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "speedup_vs_all_max")), (RatioEstimate{10.0, {10.0, 10.0}, false}));
     EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 3, "speedup_vs_all_max")), (RatioEstimate{20.0, {20.0, 20.0}, false}));
     EXPECT_NEAR(number(table, 1, "culled_fraction_max"), 8.0 / 9.0, 1e-3);
+    EXPECT_NEAR(number(table, 1, "no_culling_exceeds"), (1.0 + 5.0 + 9.0) / 3.0, 0.02);
+    EXPECT_NEAR(number(table, 1, "no_culling_exceeds_max"), 9.0, 0.02);
     EXPECT_EQ(number(table, 0, "culled_fraction_max"), 0.0);
     EXPECT_EQ(number(table, 1, "culled_fraction"), 0.56);
     EXPECT_EQ(number(table, 1, "cull_share"), 0.02);
@@ -129,7 +156,10 @@ TEST(ChoFigure6, figureShowsWhatWasMeasured) {
     const ResultTable table = madeUpTable();
     ASSERT_EQ(table.plots.size(), 1u);
     const LinePlot& plot = table.plots[0];
-    ASSERT_EQ(plot.lines.size(), 4u);
+    ASSERT_EQ(plot.lines.size(), 5u);
+    EXPECT_EQ(plot.lines[4].name, "all ÷ (1 − culled)");
+    EXPECT_TRUE(plot.lines[4].dashed);
+    EXPECT_NEAR(plot.lines[4].points[2].y, 90.0, 0.2) << "of nine bodies one";
     EXPECT_EQ(plot.lines[1].name, "frustum:facing=two-sided");
     ASSERT_EQ(plot.lines[1].points.size(), 3u);
     EXPECT_EQ(plot.lines[1].points[0].x, 1.0) << "viewpoints count from 1, as in the paper";
@@ -152,10 +182,10 @@ TEST(ChoFigure6, newPointsReplaceThoseOfAnEarlierView) {
     MeasureResult result = madeUp();
     for (RunMeasurement& each : result.runs) each.frames.resize(1);
     experiment().plotFrames(table, experiment().settings[0], result);
-    EXPECT_EQ(table.plots[0].lines.size(), 4u);
+    EXPECT_EQ(table.plots[0].lines.size(), 5u) << "four runs, and what no culling can exceed";
     EXPECT_EQ(table.plots[0].lines[0].points.size(), 1u);
     experiment().plotFrames(table, experiment().settings[0], madeUp());
-    EXPECT_EQ(table.plots[0].lines.size(), 4u);
+    EXPECT_EQ(table.plots[0].lines.size(), 5u) << "four runs, and what no culling can exceed";
     EXPECT_EQ(table.plots[0].lines[0].points.size(), 3u);
 }
 
@@ -175,8 +205,8 @@ TEST(ChoFigure6, filesHoldTheFigure) {
     EXPECT_EQ(lines[5], "");
     EXPECT_EQ(lines[6],
               "viewpoint,all: frames per second,frustum:facing=two-sided: frames per second,backface: frames per second,"
-              "frustum: frames per second");
-    EXPECT_EQ(lines[9], "3,10,100,12.5,200");
+              "frustum: frames per second,all ÷ (1 − culled): frames per second");
+    EXPECT_THAT(lines[9], testing::StartsWith("3,10,100,12.5,200,"));
 }
 
 TEST(ChoFigure6, whatWasLeftOutIsSaidOnce) {
@@ -200,7 +230,7 @@ TEST(ChoFigure6, smallWalkIsReproduced) {
     EXPECT_EQ(table.rows.size() + table.notes.size(), small.settings[0].strategies.size() + small.notes.size())
         << "a strategy has neither a row nor a note";
     EXPECT_THAT(table.brokenPromises, testing::IsEmpty());
-    ASSERT_EQ(table.plots[0].lines.size(), table.rows.size());
+    ASSERT_EQ(table.plots[0].lines.size(), table.rows.size() + 1) << "what no culling can exceed";
     for (size_t row = 0; row < table.rows.size(); ++row) {
         EXPECT_EQ(table.plots[0].lines[row].points.size(), 4u);
         EXPECT_EQ(table.plots[0].lines[row].name, std::get<std::string>(valueOf(table, row, "strategy")));
