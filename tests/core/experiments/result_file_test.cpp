@@ -92,7 +92,7 @@ TEST(ResultJson, everyFieldOfTheContractIsThere) {
         }
     }
     EXPECT_EQ(json["runs"][0]["strategy"], "frustum");
-    EXPECT_EQ(json["runs"][0]["parameters"], (Json{{"facing", "auto"}, {"box", "p-vertex"}}));
+    EXPECT_EQ(json["runs"][0]["parameters"], (Json{{"facing", "auto"}, {"box", "p-vertex"}, {"planes", "basis"}}));
     EXPECT_EQ(json["runs"][0]["promise"], "conservative");
     EXPECT_EQ(json["runs"][0]["facing"], "front") << "closed meshes";
     EXPECT_EQ(json["runs"][1]["facing"], "two-sided");
