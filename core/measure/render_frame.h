@@ -10,7 +10,7 @@ namespace cullscope {
 /// One decided and drawn frame. Everywhere in the program, fps means 1000 / frameMilliseconds.
 struct FrameResult {
     FrameLog log;                    ///< of the first picture
-    double frameMilliseconds = 0.0;  ///< cull + draw of all pictures, until the GPU has finished
+    double frameMilliseconds = 0.0;  ///< cull + draw of all pictures, until the GPU has finished, without untimed parts
     double cullMilliseconds = 0.0;   ///< of all pictures
 };
 

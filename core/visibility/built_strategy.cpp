@@ -27,7 +27,7 @@ void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
     frame.setFrameBefore(std::exchange(state.frameMilliseconds, std::nullopt));
     m_strategy->draw(frame, *m_structure, state, m_parameters);
     const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
-    frame.setCullMilliseconds(passed.count() - frame.drawingMilliseconds());
+    frame.setCullMilliseconds(passed.count() - frame.drawingMilliseconds() - frame.untimedMilliseconds());
 }
 
 FrameLog BuiltStrategy::decide(const View& culling, ViewState& state, bool recording) const {

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/visibility/baseline/baselines.h"
+#include "core/visibility/baseline/oracle.h"
 #include "core/visibility/distance/draw_distance.h"
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
@@ -27,6 +28,7 @@ const std::vector<RegisteredStrategy>& strategies() {
     static const std::vector<RegisteredStrategy> kStrategies{
         baseline::all(),
         baseline::backface(),
+        baseline::oracle(),
         frustum::frustum(),
         frustum::frustumOctree(),
         frustum::frustumSelect(),

@@ -7,6 +7,7 @@
 #include "core/measure/reference.h"
 #include "core/mesh/save.h"
 #include "core/scene/camera_moves.h"
+#include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
