@@ -176,10 +176,6 @@
         <translation>다른 뷰와 연결</translation>
     </message>
     <message>
-        <source>Freeze culling, fly on</source>
-        <translation>컬링을 고정하고 비행</translation>
-    </message>
-    <message>
         <source>Watch view %1 from outside</source>
         <translation>뷰 %1을(를) 밖에서 관찰</translation>
     </message>
@@ -194,14 +190,6 @@
     <message>
         <source>Nothing</source>
         <translation>없음</translation>
-    </message>
-    <message>
-        <source>Wipe: truth | strategy</source>
-        <translation>나란히: 참값 | 전략</translation>
-    </message>
-    <message>
-        <source>Missed and added pixels</source>
-        <translation>놓치거나 더해진 픽셀</translation>
     </message>
     <message>
         <source>Wipe: view %1 | this one</source>
@@ -5466,21 +5454,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LectureLegend</name>
-    <message>
-        <source>missed pixels</source>
-        <translation>놓친 픽셀</translation>
-    </message>
-    <message>
-        <source>pixels nearer than the truth</source>
-        <translation>참값보다 가까운 픽셀</translation>
-    </message>
-    <message>
-        <source>pixels that differ</source>
-        <translation>다른 픽셀</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LectureWindow</name>
     <message>
         <source>%1 – %2</source>
@@ -5581,6 +5554,21 @@ OpenGL %2
     <message>
         <source>Triangles of view %1:</source>
         <translation>뷰 %1의 삼각형:</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LegendStrip</name>
+    <message>
+        <source>missed pixels</source>
+        <translation>놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>pixels nearer than the truth</source>
+        <translation>참값보다 가까운 픽셀</translation>
+    </message>
+    <message>
+        <source>pixels that differ</source>
+        <translation>다른 픽셀</translation>
     </message>
 </context>
 <context>

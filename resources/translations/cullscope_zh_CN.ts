@@ -176,10 +176,6 @@
         <translation>与其他视图联动</translation>
     </message>
     <message>
-        <source>Freeze culling, fly on</source>
-        <translation>冻结剔除，继续飞行</translation>
-    </message>
-    <message>
         <source>Watch view %1 from outside</source>
         <translation>从外部观察视图 %1</translation>
     </message>
@@ -194,14 +190,6 @@
     <message>
         <source>Nothing</source>
         <translation>无</translation>
-    </message>
-    <message>
-        <source>Wipe: truth | strategy</source>
-        <translation>对比：真值 | 策略</translation>
-    </message>
-    <message>
-        <source>Missed and added pixels</source>
-        <translation>丢失和多出的像素</translation>
     </message>
     <message>
         <source>Wipe: view %1 | this one</source>
@@ -5466,21 +5454,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LectureLegend</name>
-    <message>
-        <source>missed pixels</source>
-        <translation>丢失的像素</translation>
-    </message>
-    <message>
-        <source>pixels nearer than the truth</source>
-        <translation>比真值更近的像素</translation>
-    </message>
-    <message>
-        <source>pixels that differ</source>
-        <translation>不同的像素</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LectureWindow</name>
     <message>
         <source>%1 – %2</source>
@@ -5581,6 +5554,21 @@ OpenGL %2
     <message>
         <source>Triangles of view %1:</source>
         <translation>视图 %1 的三角形：</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LegendStrip</name>
+    <message>
+        <source>missed pixels</source>
+        <translation>丢失的像素</translation>
+    </message>
+    <message>
+        <source>pixels nearer than the truth</source>
+        <translation>比真值更近的像素</translation>
+    </message>
+    <message>
+        <source>pixels that differ</source>
+        <translation>不同的像素</translation>
     </message>
 </context>
 <context>

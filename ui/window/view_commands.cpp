@@ -116,7 +116,7 @@ void ViewCommands::askForSize(int view) {
 
 void ViewCommands::fillMenu(QMenu& menu, int view) {
     ViewPane& pane = m_views.pane(view);
-    ViewMenu filler(m_session, pane, menu);
+    ViewMenu filler(m_session, pane, m_actions, menu);
     filler.addStrategies();
     filler.addCameras();
     filler.addLook();

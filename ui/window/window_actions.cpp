@@ -104,6 +104,10 @@ void WindowActions::makePicture() {
             shows.emplace_back(show, toggle(QKeySequence(QString::fromStdString(show->key)), QString::fromStdString(show->icon)));
     truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
     loss = toggle(Qt::Key_M);
+    // One comparison at most; the chosen one can be chosen again, to end it.
+    auto* comparisons = new QActionGroup(this);
+    comparisons->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (QAction* action : {truth, loss}) comparisons->addAction(action);
     nextLoss = command(Qt::Key_N);
     loupe = toggle(Qt::Key_L);
     axes = toggle(Qt::Key_X);

@@ -30,7 +30,7 @@ TEST(States, chineseOnASmallScreenLooksAsKeptAndCutsNoText) {
 
 TEST(States, aLargeScreenHasTheStrategyBesideTheViews) {
     Desktop desktop({.size = {1920, 1080}});
-    EXPECT_TRUE(desktop.window.side().docked());
+    EXPECT_EQ(desktop.window.side().openPage(), 0);
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("1920x1080")));
     EXPECT_EQ(cut(desktop), QStringList());
 }
