@@ -111,6 +111,14 @@
         <source>Every frame</source>
         <translation>모든 프레임</translation>
     </message>
+    <message>
+        <source>Conclusion</source>
+        <translation>결론</translation>
+    </message>
+    <message>
+        <source>The scene, as the active view showed it</source>
+        <translation>활성 뷰에 보인 장면</translation>
+    </message>
 </context>
 <context>
     <name>Screenshot</name>
@@ -4921,6 +4929,50 @@
         <source>%1: name a handout&apos;s file that ends in .pdf or .html.</source>
         <translation>%1: 유인물 파일 이름은 .pdf나 .html로 끝나야 합니다.</translation>
     </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>폴더 열기</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>앞</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>뒤</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>왼쪽</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>오른쪽</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>위</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>아래</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>등각</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>와이어프레임</translation>
+    </message>
+    <message>
+        <source>W&amp;ireframe</source>
+        <translation>와이어프레임(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the edges of the drawn triangles alone; figures stay those of the filled picture</source>
+        <translation>그려진 삼각형의 모서리만 보이기. 수치는 채워진 그림의 것 그대로입니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5000,6 +5052,46 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::Conclusion</name>
+    <message>
+        <source>×%1 (95 %: %2 to %3)</source>
+        <comment>a ratio of times and its interval</comment>
+        <translation>×%1 (95 %: %2에서 %3)</translation>
+    </message>
+    <message>
+        <source>Fastest without a lost pixel: %1, %2 against drawing everything with the same sides.</source>
+        <translation>픽셀을 잃지 않고 가장 빠른 전략: %1, 같은 면을 모두 그릴 때에 비해 %2.</translation>
+    </message>
+    <message>
+        <source>No strategy that loses no pixel is surely faster than drawing everything with the same sides; the best one is %1 with %2.</source>
+        <translation>픽셀을 잃지 않는 전략 가운데 같은 면을 모두 그리는 것보다 확실히 빠른 것은 없습니다. 가장 나은 것은 %1, %2입니다.</translation>
+    </message>
+    <message>
+        <source>Faster, with losses: %1, %2; it loses %3 of a million pixels, most of them at pose %4.</source>
+        <translation>더 빠르지만 손실이 있음: %1, %2. 백만 픽셀 중 %3개를 잃고, 자세 %4에서 가장 많습니다.</translation>
+    </message>
+    <message>
+        <source>%1 promises to lose nothing and lost %2 of a million pixels: the promise is broken.</source>
+        <translation>%1은(는) 아무것도 잃지 않는다고 약속하지만 백만 픽셀 중 %2개를 잃었습니다. 약속이 깨졌습니다.</translation>
+    </message>
+    <message>
+        <source>Losses were not measured of every strategy.</source>
+        <translation>모든 전략의 손실을 측정하지는 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Only baselines were measured: there is nothing to compare.</source>
+        <translation>비교 기준만 측정했으므로 비교할 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A software OpenGL drew: on a graphics card drawing takes less, and culling the same.</source>
+        <translation>소프트웨어 OpenGL로 그렸습니다. 그래픽 카드에서는 그리기가 더 빠르고 컬링 시간은 같습니다.</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped early: poses are missing.</source>
+        <translation>측정을 일찍 멈추었으므로 빠진 자세가 있습니다.</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::CurvePlot</name>
     <message>
         <source>This frame has nothing to show here.</source>
@@ -5039,6 +5131,27 @@ OpenGL %2
     <message>
         <source>Keep as camera %1</source>
         <translation>카메라 %1(으)로 보관</translation>
+    </message>
+    <message>
+        <source>Models, sessions and pictures</source>
+        <translation>모델, 세션, 그림</translation>
+    </message>
+    <message>
+        <source>Name a camera</source>
+        <translation>카메라 이름 짓기</translation>
+    </message>
+    <message>
+        <source>Go to camera %1: %2</source>
+        <comment>its number, its name</comment>
+        <translation>카메라 %1로 가기: %2</translation>
+    </message>
+    <message>
+        <source>Camera %1…</source>
+        <translation>카메라 %1…</translation>
+    </message>
+    <message>
+        <source>Name of camera %1</source>
+        <translation>카메라 %1의 이름</translation>
     </message>
 </context>
 <context>
@@ -5158,6 +5271,27 @@ OpenGL %2
         <source>Generate</source>
         <translation>생성</translation>
     </message>
+    <message>
+        <source>objects: about %1; triangles: as the mesh has; memory beside the mesh: about %2 MB</source>
+        <translation>물체: 약 %1개, 삼각형: 메시에 따름, 메시 외 메모리: 약 %2 MB</translation>
+    </message>
+    <message>
+        <source>triangles: about %1; objects: about %2; memory: about %3 MB</source>
+        <translation>삼각형: 약 %1개, 물체: 약 %2개, 메모리: 약 %3 MB</translation>
+    </message>
+    <message>
+        <source>The scene will have: %1.</source>
+        <comment>sizes</comment>
+        <translation>장면의 크기: %1.</translation>
+    </message>
+    <message>
+        <source>Generate it</source>
+        <translation>생성하기</translation>
+    </message>
+    <message>
+        <source>So large a scene takes time and memory. Above five million triangles nothing is measured unasked.</source>
+        <translation>이렇게 큰 장면에는 시간과 메모리가 듭니다. 삼각형 오백만 개를 넘으면 요청하지 않는 한 아무것도 측정하지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::HelpWindow</name>
@@ -5172,6 +5306,33 @@ OpenGL %2
     <message>
         <source>First page</source>
         <translation>첫 페이지</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>도움말 검색</translation>
+    </message>
+    <message>
+        <source>Contents of the help</source>
+        <translation>도움말 차례</translation>
+    </message>
+    <message>
+        <source>No section has all these words.</source>
+        <translation>이 단어를 모두 담은 절이 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::HistoryModel</name>
+    <message>
+        <source>%1 · %2 ppm missed</source>
+        <comment>a ratio of times, missed pixels of a million</comment>
+        <translation>%1 · 놓침 %2 ppm</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3</source>
+        <comment>scene, time, path and size</comment>
+        <translation>%1, %2
+%3</translation>
     </message>
 </context>
 <context>
@@ -6038,6 +6199,10 @@ OpenGL %2
         <source>This strategy has no parameters.</source>
         <translation>이 전략에는 매개변수가 없습니다.</translation>
     </message>
+    <message>
+        <source>As on the command line: %1</source>
+        <translation>명령줄에서: %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ParetoPlot</name>
@@ -6342,8 +6507,9 @@ OpenGL %2
         <translation>프레임</translation>
     </message>
     <message>
-        <source>missed</source>
-        <translation>놓침</translation>
+        <source>missed %1</source>
+        <comment>a loss in parts per million</comment>
+        <translation>놓침 %1</translation>
     </message>
 </context>
 <context>
@@ -7062,11 +7228,6 @@ sides [95 %]</source>
         <translation>뷰들을 측정하는 대로 수치가 여기에 나타납니다.</translation>
     </message>
     <message>
-        <source>%1 · %2 × %3 · %4 of %5 poses</source>
-        <extracomment>A camera path, the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
-        <translation>%1 · %2 × %3 · 자세 %5개 중 %4개</translation>
-    </message>
-    <message>
         <source>Table</source>
         <translation>표</translation>
     </message>
@@ -7149,6 +7310,32 @@ sides [95 %]</source>
     <message>
         <source>Being measured…</source>
         <translation>측정하는 중…</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3</source>
+        <extracomment>A camera path and the size of the pictures.</extracomment>
+        <translation>%1 · %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3 poses</source>
+        <extracomment>A camera path with the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
+        <translation>%1 · 자세 %3개 중 %2개</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>기록</translation>
+    </message>
+    <message>
+        <source>Experiments beside each other</source>
+        <translation>나란히 놓인 실험</translation>
+    </message>
+    <message>
+        <source>Each experiment that ends appears here beside the others, until the program ends.</source>
+        <translation>끝난 실험은 프로그램이 끝날 때까지 여기에 나란히 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Report as PDF…</source>
+        <translation>보고서를 PDF로…</translation>
     </message>
 </context>
 <context>
@@ -7490,6 +7677,31 @@ sides [95 %]</source>
         <source>Copy the cullbench command</source>
         <translation>cullbench 명령 복사</translation>
     </message>
+    <message>
+        <source>Object %1</source>
+        <comment>its name</comment>
+        <translation>물체 %1</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>이유</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>맞추기</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>숨기기</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>이것만 표시</translation>
+    </message>
+    <message>
+        <source>Show all hidden objects</source>
+        <translation>숨긴 물체 모두 표시</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewHeader</name>
@@ -7609,6 +7821,10 @@ sides [95 %]</source>
         <source>flying speed × %1 ([ and ])</source>
         <translation>비행 속도 × %1 ([ 와 ])</translation>
     </message>
+    <message>
+        <source>wireframe; figures of the filled picture</source>
+        <translation>와이어프레임, 수치는 채워진 그림의 것</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7666,6 +7882,11 @@ sides [95 %]</source>
         <source>%1. %2</source>
         <comment>state of a triangle, the sentence that says what decided</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 from the point picked before (x %2, y %3, z %4)</source>
+        <comment>a length, and its components along the axes</comment>
+        <translation>앞서 고른 점에서 %1 (x %2, y %3, z %4)</translation>
     </message>
 </context>
 <context>
@@ -8153,6 +8374,18 @@ sides [95 %]</source>
     <message>
         <source>Another view shows from outside what the active view culls; again: it is linked</source>
         <translation>다른 뷰가 활성 뷰의 컬링을 밖에서 보여 줍니다. 다시 누르면 연결됩니다</translation>
+    </message>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>보는 방향(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Al&amp;most parallel</source>
+        <translation>거의 평행 투영(&amp;M)</translation>
+    </message>
+    <message>
+        <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
+        <translation>멀리서 0.5°의 시야로 보기: 크기가 거리에 거의 좌우되지 않고, 활성 뷰의 축척은 그대로입니다</translation>
     </message>
 </context>
 </TS>

@@ -255,6 +255,7 @@ void MainWindow::wireSession() {
     });
     connect(m_legend, &LegendPanel::lessonRequested, this, [this] { m_lessons->player().begin(LessonPlayer::known().front()); });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
+    connect(&m_session, &Session::fileSaved, m_message, &MessageBar::confirmSaved);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }
 
