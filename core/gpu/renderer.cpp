@@ -16,6 +16,19 @@ void addAttribute(unsigned array, GLuint attribute, size_t offset, GLuint bindin
     glVertexArrayAttribBinding(array, attribute, binding);
 }
 
+/// Begins shaded triangles within a drawing state, which resets the mode of polygons.
+void beginShaded(const Program& lambert, const DrawStyle& style) {
+    glUseProgram(lambert.id());
+    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+}
+
+/// Whether a replay makes the style's picture: the pixels of a finished picture have no edges.
+bool replaysInStyle(const View& view, const FrameLog& log, const DrawStyle& style) {
+    const auto isFinished = [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); };
+    return replaysFrom(view, log) && !(style.wireframe && std::ranges::any_of(log.commands, isFinished));
+}
+
 }  // namespace
 
 Renderer::Programs::Programs()
@@ -49,8 +62,7 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawLis
                     const DrawStyle& style) {
     const DrawingState state(view, target, list.facing, list.depth);
     clearTo(style);
-    glUseProgram(m_programs->lambert.id());
-    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    beginShaded(m_programs->lambert, style);
     submitAll(buffers, view, list, m_programs->vertexArray);
 }
 
@@ -63,10 +75,7 @@ void Renderer::execute(const SceneBuffers& buffers, const View& view, const Comm
                        const DrawStyle& style, bool cleared) {
     if (const auto* picture = std::get_if<FinishedPicturePointer>(&command))
         return writePicture(buffers.scene(), view, **picture, style, target);
-    const auto begin = [&] {
-        glUseProgram(m_programs->lambert.id());
-        glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
-    };
+    const auto begin = [&] { beginShaded(m_programs->lambert, style); };
     if (const auto* list = std::get_if<DrawList>(&command)) {
         const DrawingState state(view, target, list->facing, list->depth);
         if (cleared) clearTo(style);
@@ -83,7 +92,7 @@ void Renderer::execute(const SceneBuffers& buffers, const View& view, const Comm
 
 void Renderer::draw(const SceneBuffers& buffers, const View& view, const FrameLog& log, Framebuffer& target,
                     const DrawStyle& style) {
-    if (!replaysFrom(view, log)) return draw(buffers, view, drawnTriangles(buffers.scene(), log), target, style);
+    if (!replaysInStyle(view, log, style)) return draw(buffers, view, drawnTriangles(buffers.scene(), log), target, style);
     bool cleared = false;
     for (const Command& command : log.commands) {
         if (std::holds_alternative<AskedBoxes>(command)) continue;

@@ -17,7 +17,8 @@ struct DrawStyle {
     Vec3f background{0.078f, 0.090f, 0.110f};
     float backgroundAlpha = 1.0f;
     Vec3f surface{0.80f, 0.80f, 0.78f};
-    float unit = 1.0f;  ///< pixels for one unit of line width: lines and hatching grow with a large picture
+    bool wireframe = false;  ///< the edges of triangles, without the surfaces between them
+    float unit = 1.0f;       ///< pixels for one unit of line width: lines and hatching grow with a large picture
 
     bool operator==(const DrawStyle&) const = default;
 };

@@ -142,11 +142,16 @@ bool needsDecisions(const ViewLook& look) {
 }
 
 void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
-                     const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& style,
+                     const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& given,
                      Framebuffer& target) {
+    DrawStyle style = given;
+    style.wireframe = style.wireframe || look.has(Show::Kind::Wireframe);
     if (look.has(Show::Kind::Model))
         return drawSphericalModel(renderer, buffers, viewing, drawnTriangles(buffers.scene(), log), style, target);
-    const VerdictPalette palette = verdictPalette(style.background);
+    VerdictPalette palette = verdictPalette(style.background);
+    if (look.has(Show::Kind::Verdicts) && style.wireframe)
+        for (PaletteEntry& entry : palette)
+            if (entry.look == Look::Filled) entry.look = Look::Wireframe;
     if (look.has(Show::Kind::Verdicts)) {
         const TriangleStates own = known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), log, std::nullopt);
         const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;

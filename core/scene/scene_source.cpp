@@ -1,5 +1,7 @@
 #include "core/scene/scene_source.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/base/error.h"
@@ -226,39 +228,98 @@ const GeneratorParameter kTriangles{"triangles", "1e5",
 
 const GeneratorParameter kMesh{"mesh", "bunny", CULLSCOPE_TR("mesh file, or a generator with its own parameters")};
 
+// What generators will make, by their arguments: each has the one that reads the same numbers as the function that opens.
+
+SceneEstimate estimateMesh(const std::string& specification, const SceneSourceOptions& options) {
+    return estimateScene(specification, options).value_or(SceneEstimate{});
+}
+
+SceneEstimate estimateOfFile(Request& /*request*/) { return {}; }
+
+SceneEstimate estimateParametric(Request& request) {
+    const double triangles =
+        double(request.arguments.count("triangles", request.info.id == "teapot" ? 64e3 : 1e5, kMostTriangles));
+    return {triangles, 1.0, triangles * kBytesOfMadeTriangle};
+}
+
+SceneEstimate estimateField(Request& request) {
+    SceneEstimate one = estimateMesh(request.arguments.text("mesh", "bunny"), request.options);
+    const double n = double(request.arguments.count("n", 20, 2000));
+    if (one.triangles) *one.triangles *= n * n;
+    return {one.triangles, n * n, one.bytes + n * n * kBytesOfInstance};
+}
+
+SceneEstimate estimateLayers(Request& request) {
+    const Layers usual;
+    const double count = double(request.arguments.count("count", double(usual.count), 100'000));
+    const double triangles = double(request.arguments.count("triangles", double(usual.triangles), 1e8));
+    return {count * triangles, count, triangles * kBytesOfMadeTriangle + count * kBytesOfInstance};
+}
+
+SceneEstimate estimatePlant(Request& request) {
+    const double pipelines = double(request.arguments.count("pipelines", double(PlantOptions().pipelines), kMostPipelines));
+    // A finer chord than the usual one makes more triangles: how many only the tessellation tells.
+    std::optional<double> triangles;
+    if (!request.arguments.has("chord")) triangles = pipelines * kTrianglesOfPipeline;
+    return {triangles, pipelines * kObjectsOfPipeline, pipelines * kBytesOfPipeline};
+}
+
+SceneEstimate estimateResampled(Request& request) {
+    SceneEstimate read = estimateMesh(request.arguments.unnamed(), request.options);
+    if (request.arguments.has("triangles")) read.triangles = double(request.arguments.count("triangles", 1.0, kMostTriangles));
+    return {read.triangles, 1.0, std::max(read.bytes, read.triangles.value_or(0.0) * kBytesOfMadeTriangle)};
+}
+
+SceneEstimate estimateSplit(Request& request) {
+    const SceneEstimate whole = estimateMesh(request.arguments.text("mesh", "bunny"), request.options);
+    const SplitRule rule = splitRule(request.arguments);
+    const bool clusters = rule.by == SplitRule::By::Clusters && whole.triangles;
+    return {whole.triangles, clusters ? std::ceil(*whole.triangles / double(rule.triangles)) : whole.objects, 2.0 * whole.bytes};
+}
+
 struct Generator {
     GeneratorInfo info;
     OpenedScene (*open)(Request& request);
+    SceneEstimate (*estimate)(Request& request);
 };
 
 const std::vector<Generator>& generators() {
     static const std::vector<Generator> kGenerators{
-        {{"bunny", CULLSCOPE_TR("the Stanford bunny, from an installed model file"), {}}, openBunny},
+        {{"bunny", CULLSCOPE_TR("the Stanford bunny, from an installed model file"), {}}, openBunny, estimateOfFile},
         {{"teapot",
           CULLSCOPE_TR("Newell's teapot, tessellated from its 32 Bézier patches"),
           {{"triangles", "64000", CULLSCOPE_TR("how many triangles, to the nearest that the shape's grid allows")}}},
-         openParametric},
-        {{"sphere", CULLSCOPE_TR("a unit sphere, from an icosahedron"), {kTriangles}}, openParametric},
-        {{"torus", CULLSCOPE_TR("a torus of radii 1 and 0.25: closed, not star-shaped"), {kTriangles}}, openParametric},
+         openParametric,
+         estimateParametric},
+        {{"sphere", CULLSCOPE_TR("a unit sphere, from an icosahedron"), {kTriangles}}, openParametric, estimateParametric},
+        {{"torus", CULLSCOPE_TR("a torus of radii 1 and 0.25: closed, not star-shaped"), {kTriangles}},
+         openParametric,
+         estimateParametric},
         {{"bowl", CULLSCOPE_TR("half a hollow sphere, open towards z: closed, hides its inside from its outside"), {kTriangles}},
-         openParametric},
-        {{"knot", CULLSCOPE_TR("a tube around a torus knot: hides much of itself"), {kTriangles}}, openParametric},
+         openParametric,
+         estimateParametric},
+        {{"knot", CULLSCOPE_TR("a tube around a torus knot: hides much of itself"), {kTriangles}},
+         openParametric,
+         estimateParametric},
         {{"star",
           CULLSCOPE_TR("a star-shaped body with random bumps"),
           {{"seed", "7", CULLSCOPE_TR("number that the random shape starts from")}, kTriangles}},
-         openParametric},
+         openParametric,
+         estimateParametric},
         {{"field",
           CULLSCOPE_TR("a grid of n by n copies of a mesh, each of radius 1"),
           {kMesh,
            {"n", "20", CULLSCOPE_TR("copies along each side")},
            {"spacing", "2.5", CULLSCOPE_TR("distance between neighbours")}}},
-         openField},
+         openField,
+         estimateField},
         {{"layers",
           CULLSCOPE_TR("sheets one behind the other, each an object: seen from the front, the first one hides the others"),
           {{"count", "32", CULLSCOPE_TR("how many layers")},
            {"triangles", "1e4", CULLSCOPE_TR("how many triangles each layer has, to the nearest that its grid allows")},
            {"waves", "0", CULLSCOPE_TR("height of the layers' waves; 0: they are flat")}}},
-         openLayers},
+         openLayers,
+         estimateLayers},
         {{"plant",
           CULLSCOPE_TR("a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms"),
           {{"pipelines", "100", CULLSCOPE_TR("how many pipelines")},
@@ -266,22 +327,27 @@ const std::vector<Generator>& generators() {
            {"chord", "",
             CULLSCOPE_TR(
                 "millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size")}}},
-         openPlant},
+         openPlant,
+         estimatePlant},
         {{"mesh",
           CULLSCOPE_TR("a mesh file simplified or subdivided: mesh:FILE,triangles=N"),
           {{"triangles", "", CULLSCOPE_TR("how many triangles to make of it")}}},
-         openResampledMesh},
+         openResampledMesh,
+         estimateResampled},
         {{"split",
           CULLSCOPE_TR("a mesh with every object split, so that there are objects to leave out; draws the same picture"),
           {kMesh,
            {"by", "components",
             CULLSCOPE_TR("components: what hangs together becomes an object; clusters: compact pieces of like size do")},
            {"triangles", "5000", CULLSCOPE_TR("how many triangles a cluster has at most (with by=clusters)")}}},
-         openSplit},
+         openSplit,
+         estimateSplit},
         {{"quiz", CULLSCOPE_TR("the lecture's quiz: polygons A, B and C, and the planes P1 to P3 that divide them"), {}},
-         openLecture},
+         openLecture,
+         estimateOfFile},
         {{"example", CULLSCOPE_TR("the lecture's worked example: polygons A to D, divided by the planes P1 and P2"), {}},
-         openLecture}};
+         openLecture,
+         estimateOfFile}};
     return kGenerators;
 }
 
@@ -318,6 +384,18 @@ OpenedScene openScene(std::string_view specification, const SceneSourceOptions& 
     for (const GeneratorParameter& parameter : generator->info.parameters) (void)check.text(parameter.key, "");
     check.finish(generator->info);
     return generator->open(request);
+}
+
+bool SceneEstimate::large() const { return triangles.value_or(0.0) > double(kOptionalAnalysisLimit) || bytes > kManyBytes; }
+
+std::optional<SceneEstimate> estimateScene(std::string_view specification, const SceneSourceOptions& options) {
+    const Generator* generator = generatorOf(specification);
+    if (generator == nullptr) return std::nullopt;
+    const std::string text(specification);
+    GeneratorArguments arguments(cutSpecification(text, sceneGenerators()));
+    const Progress progress;
+    Request request{arguments, generator->info, options, progress, text};
+    return generator->estimate(request);
 }
 
 const std::vector<GeneratorInfo>& sceneGenerators() {

@@ -32,6 +32,19 @@ struct SceneSourceOptions {
 [[nodiscard]] OpenedScene openScene(std::string_view specification, const SceneSourceOptions& options = {},
                                     const Progress& progress = {});
 
+/// What a scene will have, by the numbers of its specification: nothing is made and no mesh is read.
+struct SceneEstimate {
+    std::optional<double> triangles;  ///< drawn ones, copies counted each; none: a mesh file tells it
+    double objects = 1.0;
+    double bytes = 0.0;  ///< of memory while it is made, without what a mesh file needs
+
+    /// Above kOptionalAnalysisLimit triangles or kManyBytes: to be asked about before it is made.
+    [[nodiscard]] bool large() const;
+};
+inline constexpr double kManyBytes = 1e9;
+/// None for a file. Throws Error(Usage) for a bad specification.
+[[nodiscard]] std::optional<SceneEstimate> estimateScene(std::string_view specification, const SceneSourceOptions& options = {});
+
 /// The generators that `cullbench list scenes` and the desktop's Generate menu show.
 [[nodiscard]] const std::vector<GeneratorInfo>& sceneGenerators();
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
 #include <utility>
 
 #include "core/frame/curve.h"
 #include "core/frame/named_parts.h"
+#include "core/scene/scene_source.h"
 #include "core/visibility/overlay.h"
 #include "core/visibility/subject_shape.h"
 
@@ -119,6 +121,18 @@ BuiltStrategyPointer buildStrategy(std::string_view id, const ParameterSet& para
 BuiltStrategyPointer buildStrategy(const RegisteredStrategy& strategy, const ParameterSet& parameters, const ScenePointer& scene,
                                    StructureStore& store, const Progress& progress) {
     return std::make_shared<const BuiltStrategy>(strategy, parameters, store.get(strategy, parameters, scene, progress));
+}
+
+Promise usualPromise(const std::string& id) {
+    static const std::map<std::string, Promise, std::less<>> kPromises = [] {
+        const ScenePointer solid = openScene("sphere:triangles=20").scene;
+        StructureStore store;
+        std::map<std::string, Promise, std::less<>> promises;
+        for (const RegisteredStrategy& each : strategies())
+            promises.emplace(each.info.id, buildStrategy(each, ParameterSet(each.info.parameters), solid, store)->promise());
+        return promises;
+    }();
+    return kPromises.at(id);
 }
 
 }  // namespace cullscope

@@ -86,4 +86,8 @@ using BuiltStrategyPointer = std::shared_ptr<const BuiltStrategy>;
 [[nodiscard]] BuiltStrategyPointer buildStrategy(std::string_view id, const ParameterSet& parameters, const ScenePointer& scene,
                                                  StructureStore& store, const Progress& progress = {});
 
+/// What a registered strategy promises with its default parameters for a small closed solid, by its id: what lists say before a
+/// scene is open. Of another scene the promise may be weaker (BuiltStrategy::promise).
+[[nodiscard]] Promise usualPromise(const std::string& id);
+
 }  // namespace cullscope

@@ -36,6 +36,17 @@ Show leftShow() {
     return show;
 }
 
+Show wireframeShow() {
+    Show show;
+    show.kind = Show::Kind::Wireframe;
+    show.id = "wireframe";
+    show.help = "the edges of triangles alone; figures stay those of the filled picture";
+    show.title = CULLSCOPE_TR("Wireframe");
+    show.action = CULLSCOPE_TR("W&ireframe");
+    show.explanation = CULLSCOPE_TR("Show the edges of the drawn triangles alone; figures stay those of the filled picture");
+    return show;
+}
+
 Show frustumShow() {
     Show show;
     show.kind = Show::Kind::Frustum;
@@ -92,7 +103,7 @@ std::optional<Show::Kind> Show::with() const {
 }
 
 const std::vector<Show>& commonShows() {
-    static const std::vector<Show> kShows{verdictsShow(), leftShow(),     frustumShow(),
+    static const std::vector<Show> kShows{verdictsShow(), leftShow(),     wireframeShow(),     frustumShow(),
                                           boxesOfTree(),  boxesByPlane(), sphericalModelShow()};
     return kShows;
 }

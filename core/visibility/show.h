@@ -33,6 +33,7 @@ struct Show {
     /// In the order in which the command line and pictures' texts name what a picture shows.
     enum class Kind {
         Verdicts,      ///< the triangles in the colours of what became of them
+        Wireframe,     ///< edges alone, without the surfaces between them: of the picture, never of the frame that is judged
         Boxes,         ///< the boxes of the tree, over a view's picture. Declared by a strategy: its own form of them
         Frustum,       ///< the culling camera's frustum as lines, where another camera looks
         Overlay,       ///< lines over a view's picture

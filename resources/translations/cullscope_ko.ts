@@ -111,6 +111,14 @@
         <source>Every frame</source>
         <translation>모든 프레임</translation>
     </message>
+    <message>
+        <source>Conclusion</source>
+        <translation>결론</translation>
+    </message>
+    <message>
+        <source>The scene, as the active view showed it</source>
+        <translation>활성 뷰에 보인 장면</translation>
+    </message>
 </context>
 <context>
     <name>Screenshot</name>
@@ -176,10 +184,6 @@
         <translation>다른 뷰와 연결</translation>
     </message>
     <message>
-        <source>Freeze culling, fly on</source>
-        <translation>컬링을 고정하고 비행</translation>
-    </message>
-    <message>
         <source>Watch view %1 from outside</source>
         <translation>뷰 %1을(를) 밖에서 관찰</translation>
     </message>
@@ -194,14 +198,6 @@
     <message>
         <source>Nothing</source>
         <translation>없음</translation>
-    </message>
-    <message>
-        <source>Wipe: truth | strategy</source>
-        <translation>나란히: 참값 | 전략</translation>
-    </message>
-    <message>
-        <source>Missed and added pixels</source>
-        <translation>놓치거나 더해진 픽셀</translation>
     </message>
     <message>
         <source>Wipe: view %1 | this one</source>
@@ -5145,6 +5141,50 @@
         <source>The paper&apos;s mean of 12 times, its best of 39.8 times and its 79 % need other viewpoints than a walk: here 9 of 40 see 2.5 % of the bunnies, the others 26 %, so that the means of the culled shares and of what no culling can exceed are the paper&apos;s. Its direct rendering takes the same time at every view; a software OpenGL&apos;s does not.</source>
         <translation>논문의 평균 12배, 최고 39.8배, 79 %에는 걷는 경로와 다른 시점이 필요합니다. 여기서는 40개 중 9개가 토끼의 2.5 %를, 나머지가 26 %를 보므로, 컬링 비율의 평균과 어떤 컬링도 넘을 수 없는 값의 평균이 논문과 같습니다. 논문의 직접 렌더링은 모든 시점에서 같은 시간이 걸리지만 소프트웨어 OpenGL은 그렇지 않습니다.</translation>
     </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>폴더 열기</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>앞</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>뒤</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>왼쪽</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>오른쪽</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>위</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>아래</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>등각</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>와이어프레임</translation>
+    </message>
+    <message>
+        <source>W&amp;ireframe</source>
+        <translation>와이어프레임(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the edges of the drawn triangles alone; figures stay those of the filled picture</source>
+        <translation>그려진 삼각형의 모서리만 보이기. 수치는 채워진 그림의 것 그대로입니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5224,6 +5264,46 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::Conclusion</name>
+    <message>
+        <source>×%1 (95 %: %2 to %3)</source>
+        <comment>a ratio of times and its interval</comment>
+        <translation>×%1 (95 %: %2에서 %3)</translation>
+    </message>
+    <message>
+        <source>Fastest without a lost pixel: %1, %2 against drawing everything with the same sides.</source>
+        <translation>픽셀을 잃지 않고 가장 빠른 전략: %1, 같은 면을 모두 그릴 때에 비해 %2.</translation>
+    </message>
+    <message>
+        <source>No strategy that loses no pixel is surely faster than drawing everything with the same sides; the best one is %1 with %2.</source>
+        <translation>픽셀을 잃지 않는 전략 가운데 같은 면을 모두 그리는 것보다 확실히 빠른 것은 없습니다. 가장 나은 것은 %1, %2입니다.</translation>
+    </message>
+    <message>
+        <source>Faster, with losses: %1, %2; it loses %3 of a million pixels, most of them at pose %4.</source>
+        <translation>더 빠르지만 손실이 있음: %1, %2. 백만 픽셀 중 %3개를 잃고, 자세 %4에서 가장 많습니다.</translation>
+    </message>
+    <message>
+        <source>%1 promises to lose nothing and lost %2 of a million pixels: the promise is broken.</source>
+        <translation>%1은(는) 아무것도 잃지 않는다고 약속하지만 백만 픽셀 중 %2개를 잃었습니다. 약속이 깨졌습니다.</translation>
+    </message>
+    <message>
+        <source>Losses were not measured of every strategy.</source>
+        <translation>모든 전략의 손실을 측정하지는 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Only baselines were measured: there is nothing to compare.</source>
+        <translation>비교 기준만 측정했으므로 비교할 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A software OpenGL drew: on a graphics card drawing takes less, and culling the same.</source>
+        <translation>소프트웨어 OpenGL로 그렸습니다. 그래픽 카드에서는 그리기가 더 빠르고 컬링 시간은 같습니다.</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped early: poses are missing.</source>
+        <translation>측정을 일찍 멈추었으므로 빠진 자세가 있습니다.</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::CurvePlot</name>
     <message>
         <source>This frame has nothing to show here.</source>
@@ -5263,6 +5343,27 @@ OpenGL %2
     <message>
         <source>Keep as camera %1</source>
         <translation>카메라 %1(으)로 보관</translation>
+    </message>
+    <message>
+        <source>Models, sessions and pictures</source>
+        <translation>모델, 세션, 그림</translation>
+    </message>
+    <message>
+        <source>Name a camera</source>
+        <translation>카메라 이름 짓기</translation>
+    </message>
+    <message>
+        <source>Go to camera %1: %2</source>
+        <comment>its number, its name</comment>
+        <translation>카메라 %1로 가기: %2</translation>
+    </message>
+    <message>
+        <source>Camera %1…</source>
+        <translation>카메라 %1…</translation>
+    </message>
+    <message>
+        <source>Name of camera %1</source>
+        <translation>카메라 %1의 이름</translation>
     </message>
 </context>
 <context>
@@ -5382,6 +5483,27 @@ OpenGL %2
         <source>Generate</source>
         <translation>생성</translation>
     </message>
+    <message>
+        <source>objects: about %1; triangles: as the mesh has; memory beside the mesh: about %2 MB</source>
+        <translation>물체: 약 %1개, 삼각형: 메시에 따름, 메시 외 메모리: 약 %2 MB</translation>
+    </message>
+    <message>
+        <source>triangles: about %1; objects: about %2; memory: about %3 MB</source>
+        <translation>삼각형: 약 %1개, 물체: 약 %2개, 메모리: 약 %3 MB</translation>
+    </message>
+    <message>
+        <source>The scene will have: %1.</source>
+        <comment>sizes</comment>
+        <translation>장면의 크기: %1.</translation>
+    </message>
+    <message>
+        <source>Generate it</source>
+        <translation>생성하기</translation>
+    </message>
+    <message>
+        <source>So large a scene takes time and memory. Above five million triangles nothing is measured unasked.</source>
+        <translation>이렇게 큰 장면에는 시간과 메모리가 듭니다. 삼각형 오백만 개를 넘으면 요청하지 않는 한 아무것도 측정하지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::HelpWindow</name>
@@ -5396,6 +5518,33 @@ OpenGL %2
     <message>
         <source>First page</source>
         <translation>첫 페이지</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>도움말 검색</translation>
+    </message>
+    <message>
+        <source>Contents of the help</source>
+        <translation>도움말 차례</translation>
+    </message>
+    <message>
+        <source>No section has all these words.</source>
+        <translation>이 단어를 모두 담은 절이 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::HistoryModel</name>
+    <message>
+        <source>%1 · %2 ppm missed</source>
+        <comment>a ratio of times, missed pixels of a million</comment>
+        <translation>%1 · 놓침 %2 ppm</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3</source>
+        <comment>scene, time, path and size</comment>
+        <translation>%1, %2
+%3</translation>
     </message>
 </context>
 <context>
@@ -5678,21 +5827,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LectureLegend</name>
-    <message>
-        <source>missed pixels</source>
-        <translation>놓친 픽셀</translation>
-    </message>
-    <message>
-        <source>pixels nearer than the truth</source>
-        <translation>참값보다 가까운 픽셀</translation>
-    </message>
-    <message>
-        <source>pixels that differ</source>
-        <translation>다른 픽셀</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LectureWindow</name>
     <message>
         <source>%1 – %2</source>
@@ -5793,6 +5927,21 @@ OpenGL %2
     <message>
         <source>Triangles of view %1:</source>
         <translation>뷰 %1의 삼각형:</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LegendStrip</name>
+    <message>
+        <source>missed pixels</source>
+        <translation>놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>pixels nearer than the truth</source>
+        <translation>참값보다 가까운 픽셀</translation>
+    </message>
+    <message>
+        <source>pixels that differ</source>
+        <translation>다른 픽셀</translation>
     </message>
 </context>
 <context>
@@ -6262,6 +6411,10 @@ OpenGL %2
         <source>This strategy has no parameters.</source>
         <translation>이 전략에는 매개변수가 없습니다.</translation>
     </message>
+    <message>
+        <source>As on the command line: %1</source>
+        <translation>명령줄에서: %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ParetoPlot</name>
@@ -6566,8 +6719,9 @@ OpenGL %2
         <translation>프레임</translation>
     </message>
     <message>
-        <source>missed</source>
-        <translation>놓침</translation>
+        <source>missed %1</source>
+        <comment>a loss in parts per million</comment>
+        <translation>놓침 %1</translation>
     </message>
 </context>
 <context>
@@ -7286,11 +7440,6 @@ sides [95 %]</source>
         <translation>뷰들을 측정하는 대로 수치가 여기에 나타납니다.</translation>
     </message>
     <message>
-        <source>%1 · %2 × %3 · %4 of %5 poses</source>
-        <extracomment>A camera path, the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
-        <translation>%1 · %2 × %3 · 자세 %5개 중 %4개</translation>
-    </message>
-    <message>
         <source>Table</source>
         <translation>표</translation>
     </message>
@@ -7373,6 +7522,32 @@ sides [95 %]</source>
     <message>
         <source>Being measured…</source>
         <translation>측정하는 중…</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3</source>
+        <extracomment>A camera path and the size of the pictures.</extracomment>
+        <translation>%1 · %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3 poses</source>
+        <extracomment>A camera path with the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
+        <translation>%1 · 자세 %3개 중 %2개</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>기록</translation>
+    </message>
+    <message>
+        <source>Experiments beside each other</source>
+        <translation>나란히 놓인 실험</translation>
+    </message>
+    <message>
+        <source>Each experiment that ends appears here beside the others, until the program ends.</source>
+        <translation>끝난 실험은 프로그램이 끝날 때까지 여기에 나란히 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Report as PDF…</source>
+        <translation>보고서를 PDF로…</translation>
     </message>
 </context>
 <context>
@@ -7714,6 +7889,31 @@ sides [95 %]</source>
         <source>Copy the cullbench command</source>
         <translation>cullbench 명령 복사</translation>
     </message>
+    <message>
+        <source>Object %1</source>
+        <comment>its name</comment>
+        <translation>물체 %1</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>이유</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>맞추기</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>숨기기</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>이것만 표시</translation>
+    </message>
+    <message>
+        <source>Show all hidden objects</source>
+        <translation>숨긴 물체 모두 표시</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewHeader</name>
@@ -7833,6 +8033,10 @@ sides [95 %]</source>
         <source>flying speed × %1 ([ and ])</source>
         <translation>비행 속도 × %1 ([ 와 ])</translation>
     </message>
+    <message>
+        <source>wireframe; figures of the filled picture</source>
+        <translation>와이어프레임, 수치는 채워진 그림의 것</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7890,6 +8094,11 @@ sides [95 %]</source>
         <source>%1. %2</source>
         <comment>state of a triangle, the sentence that says what decided</comment>
         <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>%1 from the point picked before (x %2, y %3, z %4)</source>
+        <comment>a length, and its components along the axes</comment>
+        <translation>앞서 고른 점에서 %1 (x %2, y %3, z %4)</translation>
     </message>
 </context>
 <context>
@@ -8377,6 +8586,18 @@ sides [95 %]</source>
     <message>
         <source>Another view shows from outside what the active view culls; again: it is linked</source>
         <translation>다른 뷰가 활성 뷰의 컬링을 밖에서 보여 줍니다. 다시 누르면 연결됩니다</translation>
+    </message>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>보는 방향(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Al&amp;most parallel</source>
+        <translation>거의 평행 투영(&amp;M)</translation>
+    </message>
+    <message>
+        <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
+        <translation>멀리서 0.5°의 시야로 보기: 크기가 거리에 거의 좌우되지 않고, 활성 뷰의 축척은 그대로입니다</translation>
     </message>
 </context>
 </TS>

@@ -111,6 +111,14 @@
         <source>Every frame</source>
         <translation>所有帧</translation>
     </message>
+    <message>
+        <source>Conclusion</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>The scene, as the active view showed it</source>
+        <translation>活动视图所显示的场景</translation>
+    </message>
 </context>
 <context>
     <name>Screenshot</name>
@@ -176,10 +184,6 @@
         <translation>与其他视图联动</translation>
     </message>
     <message>
-        <source>Freeze culling, fly on</source>
-        <translation>冻结剔除，继续飞行</translation>
-    </message>
-    <message>
         <source>Watch view %1 from outside</source>
         <translation>从外部观察视图 %1</translation>
     </message>
@@ -194,14 +198,6 @@
     <message>
         <source>Nothing</source>
         <translation>无</translation>
-    </message>
-    <message>
-        <source>Wipe: truth | strategy</source>
-        <translation>对比：真值 | 策略</translation>
-    </message>
-    <message>
-        <source>Missed and added pixels</source>
-        <translation>丢失和多出的像素</translation>
     </message>
     <message>
         <source>Wipe: view %1 | this one</source>
@@ -5145,6 +5141,50 @@
         <source>The paper&apos;s mean of 12 times, its best of 39.8 times and its 79 % need other viewpoints than a walk: here 9 of 40 see 2.5 % of the bunnies, the others 26 %, so that the means of the culled shares and of what no culling can exceed are the paper&apos;s. Its direct rendering takes the same time at every view; a software OpenGL&apos;s does not.</source>
         <translation>论文的平均 12 倍、最高 39.8 倍和 79 % 需要不同于漫步的视点：这里 40 个视点中 9 个看到 2.5 % 的兔子，其余看到 26 %，使剔除占比的平均值和任何剔除都无法超过的值的平均值与论文相同。论文的直接绘制在每个视点耗时相同；软件 OpenGL 并非如此。</translation>
     </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>打开文件夹</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>前</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>后</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>上</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>下</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>等轴测</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>W&amp;ireframe</source>
+        <translation>线框(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Show the edges of the drawn triangles alone; figures stay those of the filled picture</source>
+        <translation>只显示所绘三角形的边；数值仍是填充图像的数值</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5224,6 +5264,46 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::Conclusion</name>
+    <message>
+        <source>×%1 (95 %: %2 to %3)</source>
+        <comment>a ratio of times and its interval</comment>
+        <translation>×%1（95 %：%2 至 %3）</translation>
+    </message>
+    <message>
+        <source>Fastest without a lost pixel: %1, %2 against drawing everything with the same sides.</source>
+        <translation>不丢失像素的最快策略：%1，与绘制相同各面的全部三角形相比 %2。</translation>
+    </message>
+    <message>
+        <source>No strategy that loses no pixel is surely faster than drawing everything with the same sides; the best one is %1 with %2.</source>
+        <translation>不丢失像素的策略中，没有一个确定比绘制相同各面的全部三角形更快；最好的是 %1，%2。</translation>
+    </message>
+    <message>
+        <source>Faster, with losses: %1, %2; it loses %3 of a million pixels, most of them at pose %4.</source>
+        <translation>更快但有损失：%1，%2；每百万像素丢失 %3 个，姿态 %4 处最多。</translation>
+    </message>
+    <message>
+        <source>%1 promises to lose nothing and lost %2 of a million pixels: the promise is broken.</source>
+        <translation>%1 承诺不丢失任何像素，却每百万像素丢失了 %2 个：承诺被违背。</translation>
+    </message>
+    <message>
+        <source>Losses were not measured of every strategy.</source>
+        <translation>并非每个策略都测量了损失。</translation>
+    </message>
+    <message>
+        <source>Only baselines were measured: there is nothing to compare.</source>
+        <translation>只测量了比较基准：没有可比较的内容。</translation>
+    </message>
+    <message>
+        <source>A software OpenGL drew: on a graphics card drawing takes less, and culling the same.</source>
+        <translation>由软件 OpenGL 绘制：在显卡上绘制耗时更少，剔除耗时不变。</translation>
+    </message>
+    <message>
+        <source>The measurement was stopped early: poses are missing.</source>
+        <translation>测量被提前停止：缺少一些姿态。</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::CurvePlot</name>
     <message>
         <source>This frame has nothing to show here.</source>
@@ -5263,6 +5343,27 @@ OpenGL %2
     <message>
         <source>Keep as camera %1</source>
         <translation>保存为相机 %1</translation>
+    </message>
+    <message>
+        <source>Models, sessions and pictures</source>
+        <translation>模型、会话和图像</translation>
+    </message>
+    <message>
+        <source>Name a camera</source>
+        <translation>命名相机</translation>
+    </message>
+    <message>
+        <source>Go to camera %1: %2</source>
+        <comment>its number, its name</comment>
+        <translation>转到相机 %1：%2</translation>
+    </message>
+    <message>
+        <source>Camera %1…</source>
+        <translation>相机 %1…</translation>
+    </message>
+    <message>
+        <source>Name of camera %1</source>
+        <translation>相机 %1 的名称</translation>
     </message>
 </context>
 <context>
@@ -5382,6 +5483,27 @@ OpenGL %2
         <source>Generate</source>
         <translation>生成</translation>
     </message>
+    <message>
+        <source>objects: about %1; triangles: as the mesh has; memory beside the mesh: about %2 MB</source>
+        <translation>物体：约 %1 个；三角形：由网格决定；网格之外的内存：约 %2 MB</translation>
+    </message>
+    <message>
+        <source>triangles: about %1; objects: about %2; memory: about %3 MB</source>
+        <translation>三角形：约 %1 个；物体：约 %2 个；内存：约 %3 MB</translation>
+    </message>
+    <message>
+        <source>The scene will have: %1.</source>
+        <comment>sizes</comment>
+        <translation>场景将有：%1。</translation>
+    </message>
+    <message>
+        <source>Generate it</source>
+        <translation>仍然生成</translation>
+    </message>
+    <message>
+        <source>So large a scene takes time and memory. Above five million triangles nothing is measured unasked.</source>
+        <translation>如此大的场景需要时间和内存。超过五百万个三角形时，未经要求不进行任何测量。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::HelpWindow</name>
@@ -5396,6 +5518,33 @@ OpenGL %2
     <message>
         <source>First page</source>
         <translation>首页</translation>
+    </message>
+    <message>
+        <source>Search the help</source>
+        <translation>搜索帮助</translation>
+    </message>
+    <message>
+        <source>Contents of the help</source>
+        <translation>帮助目录</translation>
+    </message>
+    <message>
+        <source>No section has all these words.</source>
+        <translation>没有包含所有这些词的章节。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::HistoryModel</name>
+    <message>
+        <source>%1 · %2 ppm missed</source>
+        <comment>a ratio of times, missed pixels of a million</comment>
+        <translation>%1 · 丢失 %2 ppm</translation>
+    </message>
+    <message>
+        <source>%1, %2
+%3</source>
+        <comment>scene, time, path and size</comment>
+        <translation>%1，%2
+%3</translation>
     </message>
 </context>
 <context>
@@ -5678,21 +5827,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LectureLegend</name>
-    <message>
-        <source>missed pixels</source>
-        <translation>丢失的像素</translation>
-    </message>
-    <message>
-        <source>pixels nearer than the truth</source>
-        <translation>比真值更近的像素</translation>
-    </message>
-    <message>
-        <source>pixels that differ</source>
-        <translation>不同的像素</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LectureWindow</name>
     <message>
         <source>%1 – %2</source>
@@ -5793,6 +5927,21 @@ OpenGL %2
     <message>
         <source>Triangles of view %1:</source>
         <translation>视图 %1 的三角形：</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LegendStrip</name>
+    <message>
+        <source>missed pixels</source>
+        <translation>丢失的像素</translation>
+    </message>
+    <message>
+        <source>pixels nearer than the truth</source>
+        <translation>比真值更近的像素</translation>
+    </message>
+    <message>
+        <source>pixels that differ</source>
+        <translation>不同的像素</translation>
     </message>
 </context>
 <context>
@@ -6262,6 +6411,10 @@ OpenGL %2
         <source>This strategy has no parameters.</source>
         <translation>此策略没有参数。</translation>
     </message>
+    <message>
+        <source>As on the command line: %1</source>
+        <translation>命令行中：%1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ParetoPlot</name>
@@ -6566,8 +6719,9 @@ OpenGL %2
         <translation>帧</translation>
     </message>
     <message>
-        <source>missed</source>
-        <translation>丢失</translation>
+        <source>missed %1</source>
+        <comment>a loss in parts per million</comment>
+        <translation>丢失 %1</translation>
     </message>
 </context>
 <context>
@@ -7286,11 +7440,6 @@ sides [95 %]</source>
         <translation>测量完成后，各视图的数值显示在此处。</translation>
     </message>
     <message>
-        <source>%1 · %2 × %3 · %4 of %5 poses</source>
-        <extracomment>A camera path, the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
-        <translation>%1 · %2 × %3 · %5 个姿态中的 %4 个</translation>
-    </message>
-    <message>
         <source>Table</source>
         <translation>表格</translation>
     </message>
@@ -7373,6 +7522,32 @@ sides [95 %]</source>
     <message>
         <source>Being measured…</source>
         <translation>正在测量…</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3</source>
+        <extracomment>A camera path and the size of the pictures.</extracomment>
+        <translation>%1 · %2 × %3</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of %3 poses</source>
+        <extracomment>A camera path with the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
+        <translation>%1 · %3 个姿态中的 %2 个</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>历史</translation>
+    </message>
+    <message>
+        <source>Experiments beside each other</source>
+        <translation>并列的实验</translation>
+    </message>
+    <message>
+        <source>Each experiment that ends appears here beside the others, until the program ends.</source>
+        <translation>每个结束的实验都会并列显示在这里，直到程序结束。</translation>
+    </message>
+    <message>
+        <source>Report as PDF…</source>
+        <translation>报告存为 PDF…</translation>
     </message>
 </context>
 <context>
@@ -7714,6 +7889,31 @@ sides [95 %]</source>
         <source>Copy the cullbench command</source>
         <translation>复制 cullbench 命令</translation>
     </message>
+    <message>
+        <source>Object %1</source>
+        <comment>its name</comment>
+        <translation>物体 %1</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>对准</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>仅显示此项</translation>
+    </message>
+    <message>
+        <source>Show all hidden objects</source>
+        <translation>显示所有隐藏的物体</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewHeader</name>
@@ -7833,6 +8033,10 @@ sides [95 %]</source>
         <source>flying speed × %1 ([ and ])</source>
         <translation>飞行速度 × %1（[ 和 ]）</translation>
     </message>
+    <message>
+        <source>wireframe; figures of the filled picture</source>
+        <translation>线框；数值为填充图像的数值</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -7890,6 +8094,11 @@ sides [95 %]</source>
         <source>%1. %2</source>
         <comment>state of a triangle, the sentence that says what decided</comment>
         <translation>%1。%2</translation>
+    </message>
+    <message>
+        <source>%1 from the point picked before (x %2, y %3, z %4)</source>
+        <comment>a length, and its components along the axes</comment>
+        <translation>距上次选取的点 %1（x %2，y %3，z %4）</translation>
     </message>
 </context>
 <context>
@@ -8377,6 +8586,18 @@ sides [95 %]</source>
     <message>
         <source>Another view shows from outside what the active view culls; again: it is linked</source>
         <translation>另一视图从外部显示活动视图的剔除；再按一次则恢复联动</translation>
+    </message>
+    <message>
+        <source>Look &amp;from</source>
+        <translation>观看方向(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Al&amp;most parallel</source>
+        <translation>近似平行投影(&amp;M)</translation>
+    </message>
+    <message>
+        <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
+        <translation>从远处以 0.5° 的视场观看：大小几乎不随距离变化，活动视图保持其比例</translation>
     </message>
 </context>
 </TS>

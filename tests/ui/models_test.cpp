@@ -2,7 +2,7 @@
 
 #include <QAbstractItemModelTester>
 
-#include "core/visibility/registry.h"
+#include "core/visibility/built_strategy.h"
 #include "tests/ui/test_scene.h"
 #include "ui/models/metrics_model.h"
 #include "ui/models/metrics_words.h"
@@ -34,6 +34,7 @@ TEST(Models, strategiesAreTheRegistrys) {
         const std::string id = model.index(row).data(StrategyModel::IdRole).toString().toStdString();
         EXPECT_EQ(id, strategies()[size_t(row)].info.id);
         EXPECT_EQ(model.rowOf(id), row);
+        EXPECT_EQ(Promise(model.index(row).data(StrategyModel::PromiseRole).toInt()), usualPromise(id)) << id;
     }
     EXPECT_EQ(model.rowOf("none of these"), -1);
     model.retranslate();

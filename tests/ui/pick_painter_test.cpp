@@ -21,7 +21,7 @@ QRect markedFrom(double distance) {
     QImage image(size.width, size.height, QImage::Format_ARGB32);
     image.fill(Qt::gray);
     QPainter painter(&image);
-    paintPick(painter, *scene, {}, viewing, PictureLayout(image.size(), 1.0, size));
+    paintPick(painter, *scene, {}, {}, viewing, PictureLayout(image.size(), 1.0, size));
     painter.end();
     const QRgb gray = QColor(Qt::gray).rgba();
     QRect marked;

@@ -6,6 +6,7 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <array>
+#include <set>
 
 #include "tests/ui/test_scene.h"
 #include "ui/startup/first_views.h"
@@ -118,6 +119,17 @@ TEST(Program, strategiesOfTheViewsHaveTheirParameters) {
     EXPECT_EQ(session.slot(1).id(), "painter");
     EXPECT_EQ(session.slot(2).parameters().integer("rows"), 45);
     EXPECT_EQ(session.slot(2).parameters().real("band"), 10.0);
+}
+
+TEST(Program, viewsBesideTheChosenOnesHaveOtherStrategies) {
+    for (const std::vector<std::string>& chosen :
+         {std::vector<std::string>{"spherical", "bsp"}, {"all"}, {"octree-query", "all", "frustum"}}) {
+        Session session{sessionOptions(false)};
+        showFirstViews(session, strategiesFromText(chosen));
+        std::set<std::string> ids;
+        for (int view = 0; view < Session::kMostViews; ++view) ids.insert(session.slot(view).id());
+        EXPECT_EQ(ids.size(), size_t(Session::kMostViews)) << "eight views compare eight strategies";
+    }
 }
 
 TEST(Program, savesAPictureOfItsWindow) {

@@ -93,8 +93,8 @@ SessionState anyState(Random& random) {
         state.views[view].setup.role = Role::Observer;
         state.views[view].setup.observed = 0;
     }
-    for (std::optional<Camera>& place : state.bookmarks)
-        if (random.unit() < 0.5) place = anyCamera(random);
+    for (std::optional<CameraBookmark>& place : state.bookmarks)
+        if (random.unit() < 0.5) place = CameraBookmark(anyCamera(random), random.unit() < 0.5 ? "entrance, \"north\"" : "");
     if (random.unit() < 0.5) {
         const auto channel = [&] { return float(random.unit()); };
         state.style.emplace();

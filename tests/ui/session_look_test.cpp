@@ -23,11 +23,11 @@ std::string written(const ViewLook& look) {
 }
 
 TEST(SessionLook, isWrittenAsAlways) {
-    EXPECT_EQ(written({}), R"({"colouring":"shaded","culled_too":true,"frustum":false,"boxes":false,)"
+    EXPECT_EQ(written({}), R"({"colouring":"shaded","culled_too":true,"wireframe":false,"frustum":false,"boxes":false,)"
                            R"("box_colouring":"verdict","spherical_model":false})");
     ViewLook look{"verdicts", "frustum", "boxes", "planes", "bands", "spherical-model"};
     look.show("culled_too", false);
-    EXPECT_EQ(written(look), R"({"colouring":"verdicts","culled_too":false,"frustum":true,"boxes":true,)"
+    EXPECT_EQ(written(look), R"({"colouring":"verdicts","culled_too":false,"wireframe":false,"frustum":true,"boxes":true,)"
                              R"("box_colouring":"plane","spherical_model":true})");
 }
 
@@ -36,7 +36,7 @@ TEST(SessionLook, declaredOverlaysStandBeforeTheModel) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : look.items()) keys.push_back(key);
     EXPECT_EQ(keys.back(), "spherical_model");
-    EXPECT_EQ(keys.at(5), "bands");
+    EXPECT_EQ(keys.at(6), "bands");
 }
 
 }  // namespace

@@ -50,6 +50,43 @@ TEST(Session, failedAndCancelledLoadingLeavesTheSceneAsItWas) {
     EXPECT_EQ(said, (std::vector<std::string>{"bad is bad.", "Opening slow was cancelled."}));
 }
 
+TEST(Session, strategiesAreBuiltForShownViewsAlone) {
+    Session session{sessionOptions(false)};
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    const auto built = [&](int view) {
+        return session.slot(view).built() && session.slot(view).built()->id() == session.slot(view).id();
+    };
+    const auto areBuilt = [&](int first, int last) {
+        for (int view = first; view <= last; ++view)
+            if (!waitUntil([&] { return built(view); })) return false;
+        return true;
+    };
+    ASSERT_TRUE(areBuilt(0, 1));
+    QTest::qWait(50);
+    for (int view = 2; view < Session::kMostViews; ++view)
+        EXPECT_FALSE(session.slot(view).built() || session.slot(view).building()) << "view " << view << " is not shown";
+    session.slot(3).choose("bsp");
+    EXPECT_FALSE(session.slot(3).building());
+    session.setViewCount(4);
+    ASSERT_TRUE(areBuilt(0, 3));
+    EXPECT_EQ(session.slot(3).built()->id(), "bsp");
+    EXPECT_FALSE(session.slot(4).built());
+    // A view that watches a hidden one needs what that one culls with; so does one that is compared with it.
+    session.observe(0, 5);
+    ASSERT_TRUE(areBuilt(5, 5));
+    ViewSetup setup = session.setup(1);
+    setup.wipe = {Wipe::Mode::OtherView, 6, 0.5};
+    session.setSetup(1, setup);
+    ASSERT_TRUE(areBuilt(6, 6));
+    EXPECT_FALSE(session.slot(7).built());
+    // What was built once stays, and is not built again.
+    const size_t before = session.structures()->built();
+    session.setViewCount(1);
+    session.setViewCount(4);
+    QTest::qWait(20);
+    EXPECT_EQ(session.structures()->built(), before);
+}
+
 TEST(Session, tooManyNestedGeneratorsAreRefusedLikeAnyScene) {
     Session session{sessionOptions(false)};
     openAndWait(session, QStringLiteral("sphere:triangles=320"));

@@ -2,6 +2,7 @@
 // disables.
 #include <gtest/gtest.h>
 
+#include <QActionGroup>
 #include <QPainter>
 
 #include "core/image/spherical_model.h"
@@ -60,11 +61,11 @@ TEST_F(SphericalLook, commandsChangeThePictureOfTheActiveViewOnly) {
 
 TEST_F(SphericalLook, viewsMenuHasThem) {
     QMenu menu;
-    ViewMenu filler(session, window.views().pane(0), menu);
+    ViewMenu filler(session, window.views().pane(0), window.actions(), menu);
     filler.addLook();
     const auto entry = [&](const QString& text) -> QAction* {
         for (QAction* action : menu.findChild<QMenu*>()->actions())
-            if (action->text() == text) return action;
+            if (action->text().remove(QLatin1Char('&')) == text) return action;
         return nullptr;
     };
     for (const QString& text : {QStringLiteral("Contour bands"), QStringLiteral("Model in spherical coordinates")}) {
@@ -126,11 +127,59 @@ TEST_F(SphericalLook, commandsWithoutEffectAreGrey) {
     EXPECT_EQ(actions.show("bands")->toolTip(), tip);
 }
 
+TEST_F(SphericalLook, viewsMenuCallsThingsAsTheWindowsMenusDo) {
+    QMenu menu;
+    ViewMenu filler(session, window.views().pane(0), window.actions(), menu);
+    filler.addLook();
+    filler.addCameras();
+    filler.addComparisons();
+    QStringList texts;
+    for (const QMenu* part : menu.findChildren<QMenu*>())
+        for (const QAction* action : part->actions()) texts << action->text();
+    const WindowActions& actions = window.actions();
+    for (const QAction* action : {actions.freeze, actions.truth, actions.loss})
+        EXPECT_TRUE(texts.contains(action->text())) << action->text().toStdString();
+    for (const auto& [show, action] : actions.shows) EXPECT_TRUE(texts.contains(action->text())) << show->id;
+}
+
+TEST_F(SphericalLook, choicesThatExcludeEachOtherAreRadioItems) {
+    QMenu menu;
+    ViewMenu filler(session, window.views().pane(0), window.actions(), menu);
+    filler.addStrategies();
+    filler.addCameras();
+    filler.addComparisons();
+    filler.addSizes([] {});
+    filler.addUploads();
+    int menus = 0;
+    for (const QMenu* part : menu.findChildren<QMenu*>()) {
+        ++menus;
+        int checked = 0;
+        for (const QAction* action : part->actions()) {
+            if (!action->isCheckable()) continue;
+            EXPECT_TRUE(action->actionGroup() && action->actionGroup()->isExclusive()) << action->text().toStdString();
+            checked += action->isChecked() ? 1 : 0;
+        }
+        EXPECT_EQ(checked, 1) << part->title().toStdString();
+    }
+    EXPECT_EQ(menus, 5);
+    // One comparison at most, in the window's menu, too; the same key ends it.
+    session.setActiveView(0);
+    const WindowActions& actions = window.actions();
+    for (QAction* action : {actions.truth, actions.loss}) {
+        action->trigger();
+        EXPECT_TRUE(actions.truth->isChecked() != actions.loss->isChecked());
+        EXPECT_TRUE(action->isChecked());
+    }
+    actions.loss->trigger();
+    EXPECT_EQ(session.setup(0).wipe.mode, Wipe::Mode::None);
+    EXPECT_FALSE(actions.truth->isChecked() || actions.loss->isChecked());
+}
+
 TEST_F(SphericalLook, viewsMenuGreysWhatHasNoEffect) {
     for (const bool model : {false, true}) {
         if (model) (void)pictureAfter(window.actions().show("spherical-model"));
         QMenu menu;
-        ViewMenu filler(session, window.views().pane(0), menu);
+        ViewMenu filler(session, window.views().pane(0), window.actions(), menu);
         filler.addLook();
         filler.addComparisons();
         int enabled = 0, greyed = 0;

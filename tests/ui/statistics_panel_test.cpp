@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractItemModelTester>
 #include <QFile>
+#include <QLocale>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -10,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "tests/ui/made_up_result.h"
+#include "ui/statistics/conclusion.h"
 #include "ui/statistics/pose_strip.h"
 #include "ui/statistics/statistics_panel.h"
 
@@ -181,6 +184,82 @@ TEST_F(Panel, reportNeedsNoOtherFileAndEscapesEverything) {
     EXPECT_TRUE(html.contains(named->sha256().c_str()));
 }
 
+TEST_F(Panel, reportsHaveAConclusionAndThePictureOfTheScene) {
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    panel.setScenePicture([picture] { return picture; });
+    showResult();
+    const QString html = QString::fromUtf8(exported(StatisticsPanel::File::Html, QStringLiteral("r.html")));
+    EXPECT_EQ(html.count(QStringLiteral("<img ")), 1);
+    EXPECT_EQ(html.count(QStringLiteral("src=\"data:image/png;base64,")), 1) << "within the page";
+    const QStringList sentences = conclusionsOf(result);
+    ASSERT_FALSE(sentences.isEmpty());
+    for (const QString& sentence : sentences) EXPECT_TRUE(html.contains(sentence.toHtmlEscaped())) << sentence.toStdString();
+    EXPECT_LT(html.indexOf(sentences.front().toHtmlEscaped()), html.indexOf(QStringLiteral("SHA-256"))) << "first of all";
+    const QByteArray pdf = exported(StatisticsPanel::File::Report, QStringLiteral("r.pdf"));
+    EXPECT_TRUE(pdf.startsWith("%PDF-"));
+    EXPECT_GE(pdf.count("/Subtype /Image"), 2) << "the scene and the plots";
+    EXPECT_TRUE(pdf.contains("/FontFile2") || pdf.contains("/FontFile3"));
+}
+
+RunFigures run(const char* label, double speed, double scatter, std::optional<double> ppm,
+               Promise promise = Promise::Conservative) {
+    RunFigures figures;
+    figures.label = QLatin1String(label);
+    figures.promise = promise;
+    figures.speedup = {speed, {speed - scatter, speed + scatter}, true};
+    figures.missedPpm = ppm;
+    figures.poses = {{.pose = 3, .missedPixels = 1}, {.pose = 7, .missedPixels = 5}};
+    return figures;
+}
+
+TEST(Conclusion, namesTheFastestWithoutAndWithLossesAndBrokenPromises) {
+    using ::testing::HasSubstr;
+    const auto said = [](const std::vector<RunFigures>& runs) {
+        return conclusionsOf(runs).join(QLatin1Char('\n')).toStdString();
+    };
+    const RunFigures slow = run("slow", 1.2, 0.1, 0.0), fast = run("fast", 1.5, 0.1, 0.0);
+    const RunFigures lossy = run("lossy", 3.0, 0.1, 250.0, Promise::Approximate);
+    EXPECT_THAT(said({slow, fast, lossy}), HasSubstr("Fastest without a lost pixel: fast, ×1.50 (95 %: 1.40 to 1.60)"));
+    EXPECT_THAT(said({slow, fast, lossy}), HasSubstr("Faster, with losses: lossy, ×3.00"));
+    EXPECT_THAT(said({slow, fast, lossy}), HasSubstr("250 of a million pixels, most of them at pose 7"));
+    // An interval that holds 1 is no gain.
+    EXPECT_THAT(said({run("unsure", 1.05, 0.1, 0.0)}), HasSubstr("No strategy that loses no pixel is surely faster"));
+    // Slower than what loses nothing: not worth its losses.
+    EXPECT_THAT(said({fast, run("lossy", 1.3, 0.1, 9.0, Promise::Approximate)}), ::testing::Not(HasSubstr("with losses")));
+    EXPECT_THAT(said({fast, run("liar", 1.3, 0.1, 9.0)}), HasSubstr("liar promises to lose nothing and lost 9.0 of a million"));
+    EXPECT_THAT(said({run("unseen", 1.3, 0.1, std::nullopt)}), HasSubstr("Losses were not measured"));
+    RunFigures baseline = run("all", 1.0, 0.0, 0.0);
+    baseline.baseline = true;
+    EXPECT_THAT(said({baseline}), HasSubstr("Only baselines were measured"));
+}
+
+TEST_F(Panel, experimentsStandBesideEachOtherInTheHistory) {
+    showResult();
+    const QAbstractItemModelTester tester(&panel.history(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    EXPECT_EQ(panel.history().columnCount(), 0);
+    const std::vector<ResultRow> rows = resultRows(result);
+    std::vector<ResultRow> later(rows.begin(), rows.end() - 1);
+    const QDateTime now = QDateTime::currentDateTime();
+    panel.setHistory({{QStringLiteral("old"), StatisticsPanel::pathAndSize(result.request), now.addSecs(-60), rows},
+                      {QStringLiteral("new"), StatisticsPanel::pathAndSize(result.request), now, later}});
+    const HistoryModel& history = panel.history();
+    ASSERT_EQ(history.columnCount(), 2);
+    ASSERT_EQ(history.rowCount(), int(rows.size()));
+    EXPECT_TRUE(history.headerData(0, Qt::Horizontal, Qt::DisplayRole).toString().startsWith(QStringLiteral("new, ")));
+    for (int row = 0; row < history.rowCount(); ++row) {
+        const QString name = history.headerData(row, Qt::Vertical, Qt::DisplayRole).toString();
+        const auto measured = std::ranges::find(rows, name, &ResultRow::name);
+        ASSERT_NE(measured, rows.end()) << name.toStdString();
+        const QString cell = history.index(row, 1).data().toString();
+        EXPECT_TRUE(cell.startsWith(QStringLiteral("×") + QLocale().toString(measured->speedup->ratio, 'f', 2)))
+            << cell.toStdString();
+        const bool again = std::ranges::find(later, name, &ResultRow::name) != later.end();
+        EXPECT_EQ(history.index(row, 0).data().toString() == QStringLiteral("–"), !again);
+    }
+    panel.showTab(StatisticsPanel::History);
+}
+
 TEST_F(Panel, plotsOfPosesNameTheirStrategy) {
     showResult();
     const QString html = QString::fromUtf8(exported(StatisticsPanel::File::Html, QStringLiteral("r.html")));
@@ -212,8 +291,9 @@ TEST_F(Panel, paretoPointsHaveTheirNamesBesideThem) {
 TEST_F(Panel, placeThatCannotBeWrittenIsOneSentence) {
     showResult();
     panel.showTab(StatisticsPanel::Times);
-    for (const StatisticsPanel::File file : {StatisticsPanel::File::Csv, StatisticsPanel::File::Json, StatisticsPanel::File::Svg,
-                                             StatisticsPanel::File::Pdf, StatisticsPanel::File::Html}) {
+    for (const StatisticsPanel::File file :
+         {StatisticsPanel::File::Csv, StatisticsPanel::File::Json, StatisticsPanel::File::Svg, StatisticsPanel::File::Pdf,
+          StatisticsPanel::File::Html, StatisticsPanel::File::Report}) {
         for (const std::string& place : {std::string("/dev/full"), folder.filePath(QStringLiteral("no/folder")).toStdString()}) {
             SCOPED_TRACE(place);
             failures.clear();

@@ -9,6 +9,7 @@
 #include "core/measure/summary.h"
 #include "tests/ui/made_up_result.h"
 #include "ui/models/metrics_words.h"
+#include "ui/plots/plot_file.h"
 #include "ui/plots/plot_painter.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/pose_strip.h"
@@ -239,6 +240,16 @@ TEST(PoseStrip, clickAndKeysChooseThePose) {
     EXPECT_TRUE(strip.accessibleDescription().contains(QStringLiteral("Pose 0")));
     QTest::mouseClick(&strip, Qt::LeftButton, {}, QPoint(598, 20));
     EXPECT_EQ(chosen.size(), 3) << "beside the columns";
+}
+
+TEST(PoseStrip, theScaleOfLossesIsLabelled) {
+    PoseStrip strip;
+    RunFigures run;
+    run.poses = {{.pose = 0, .frameMilliseconds = 2.0, .missedPixels = 10, .missedPpm = 1000.0}};
+    strip.setRun(run, 1);
+    const QString svg = QString::fromUtf8(plotSvg(strip, {600, 300}));
+    for (const char* tick : {"0.001 %", "0.1 %", "10 %"})
+        EXPECT_EQ(svg.count(QStringLiteral("missed ") + QLatin1String(tick) + QLatin1Char('<')), 1) << tick;
 }
 
 TEST(PoseStrip, partOfAPathLeavesPlaceForTheRest) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTemporaryDir>
 
 #include "tests/ui/test_scene.h"
@@ -106,6 +108,53 @@ TEST_F(WindowLayout, openingADockBesideEightViewsKeepsTheirSize) {
     }
     QTest::keyClick(&program.window, Qt::Key_Escape);
     EXPECT_TRUE(program.dock("inside").isVisible()) << "Esc closes only what floats";
+}
+
+TEST_F(WindowLayout, coloursAreExplainedWhereverThePanelInsideIsFolded) {
+    for (const QSize& size : {QSize(1280, 800), QSize(1600, 900)}) {
+        Program program(size);
+        openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+        const auto inSight = [&] {
+            QApplication::processEvents();
+            const LegendStrip& strip = program.window.legendStrip();
+            if (!strip.isVisible()) return false;
+            EXPECT_EQ(strip.words().size(), qsizetype(kTriangleStateCount) - 1) << "all that the bars below the pictures have";
+            const QRect place(strip.mapTo(&program.window, QPoint()), strip.size());
+            EXPECT_TRUE(program.window.rect().contains(place));
+            EXPECT_FALSE(
+                place.intersects(QRect(program.window.views().mapTo(&program.window, QPoint()), program.window.views().size())));
+            return true;
+        };
+        EXPECT_FALSE(inSight()) << "the panel explains them";
+        EXPECT_TRUE(program.window.legend().isVisible());
+        for (const int count : {4, 6, 8}) {
+            program.session.setViewCount(count);
+            EXPECT_TRUE(inSight()) << count << " views";
+        }
+        program.session.setViewCount(2);
+        EXPECT_FALSE(inSight());
+        // A map of directions takes the place that the legend has without one.
+        for (const int view : {0, 1}) program.session.slot(view).choose("spherical");
+        const auto& scroll = *program.dock("inside").findChild<QScrollArea*>();
+        ASSERT_TRUE(waitUntil([&] { return program.window.structurePanel().map().isVisible(); }));
+        ASSERT_TRUE(
+            waitUntil([&] { return program.window.legendStrip().isVisible() == (scroll.verticalScrollBar()->maximum() > 0); }));
+        program.dock("inside").close();
+        EXPECT_TRUE(inSight()) << "the panel is closed";
+    }
+}
+
+TEST_F(WindowLayout, theRailsPageLiesBesideTheViews) {
+    for (const int views : {2, 8}) {
+        Program program({1366, 768});
+        openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+        program.session.setViewCount(views);
+        program.window.side().setOpenPage(0);
+        QApplication::processEvents();
+        const auto placed = [&](const QWidget& widget) { return QRect(widget.mapTo(&program.window, QPoint()), widget.size()); };
+        EXPECT_FALSE(placed(program.window.strategyPanel()).intersects(placed(program.window.views()))) << views;
+        EXPECT_TRUE(program.window.strategyPanel().isVisible());
+    }
 }
 
 TEST_F(WindowLayout, theStatisticsFloatOverTheLowerHalfOfTheViews) {

@@ -129,9 +129,7 @@ void ReproduceDialog::wire(Session& session) {
         showTable();
         makeWay();
     });
-    connect(m_exporter, &ResultExporter::written, this, [&session](const QString& path) {
-        session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
-    });
+    connect(m_exporter, &ResultExporter::written, &session, &Session::tellSaved);
     connect(m_exporter, &ResultExporter::failed, this,
             [&session](const Message& message) { session.raise(Severity::Error, message); });
 }

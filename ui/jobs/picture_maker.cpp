@@ -149,6 +149,19 @@ void PictureMaker::pick(const ViewRequest& request, int x, int y,
     m_picks.start(m_gpu, lookUp, {.buffers = {request.buffers}, .urgency = Urgency::Picture});
 }
 
+std::optional<ViewPictureDrawer::Picked> PictureMaker::pickNow(const ViewRequest& request, int x, int y) {
+    std::optional<ViewPictureDrawer::Picked> picked;
+    m_gpu.run([&] {
+        Message failure;  // as above
+        (void)guarded(failure, [&]() -> ViewPicturePointer {
+            m_gpu.requireHeld(request.buffers);
+            picked = m_drawer->pick(request, x, y);
+            return nullptr;
+        });
+    });
+    return picked;
+}
+
 void PictureMaker::pickIn(const ViewRequest& request, const PictureTile& within,
                           std::function<void(const std::vector<uint64_t>&)> found) {
     const auto lookUp = [request, within, found = std::move(found), drawer = m_drawer](GpuJobs::Step& step) {

@@ -43,6 +43,8 @@ public:
     /// all where the thread lost its context, another pick was asked for, or this one was cancelled.
     void pick(const ViewRequest& request, int x, int y,
               std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found);
+    /// The same, waited for; none, too, where the request cannot be drawn.
+    [[nodiscard]] std::optional<ViewPictureDrawer::Picked> pickNow(const ViewRequest& request, int x, int y);
     /// The same of all triangles that it shows within a rectangle (y upward).
     void pickIn(const ViewRequest& request, const PictureTile& within, std::function<void(const std::vector<uint64_t>&)> found);
     void cancelPick() { m_picks.cancel(); }

@@ -40,8 +40,15 @@ void StrategySlot::setScene(const ScenePointer& scene) {
     build();
 }
 
+void StrategySlot::setWanted(bool wanted) {
+    m_wanted = wanted;
+    if (m_wanted && m_due) build();
+}
+
 void StrategySlot::build() {
     if (!m_scene) return;
+    m_due = !m_wanted;
+    if (m_due) return;
     const std::optional<Message> why = m_refusal(findStrategy(m_id).info);
     m_refused = why.has_value();
     if (why) return refuse(*why);

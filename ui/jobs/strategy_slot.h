@@ -36,6 +36,8 @@ public:
     void setParameters(const ParameterSet& parameters);
     /// Builds the strategy for `scene`; null: no scene is open.
     void setScene(const ScenePointer& scene);
+    /// Whether what is chosen is built at all; it is by default. A slot of a view that is not shown builds once it is wanted.
+    void setWanted(bool wanted);
 
 signals:
     /// `id` or `parameters` changed.
@@ -60,6 +62,8 @@ private:
     Background m_background;
     bool m_again = false;
     bool m_refused = false;
+    bool m_wanted = true;
+    bool m_due = false;  ///< something was chosen that is to be built once it is wanted
 };
 
 }  // namespace cullscope::ui

@@ -1,6 +1,6 @@
 #include "ui/models/strategy_model.h"
 
-#include "core/visibility/registry.h"
+#include "core/visibility/built_strategy.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -23,6 +23,8 @@ QVariant StrategyModel::data(const QModelIndex& index, int role) const {
             return translated(m_refusal(info).value_or(Message{info.description, {}}));
         case IdRole:
             return QString::fromStdString(info.id);
+        case PromiseRole:
+            return int(usualPromise(info.id));
         default:
             return {};
     }

@@ -8,13 +8,13 @@
 
 namespace cullscope::ui {
 
-/// The registered strategies in the registry's order: name and id, with the description as tooltip. Strategies that this machine
-/// does not support are disabled, with the reason as tooltip.
+/// The registered strategies in the registry's order: name, id and usual promise, with the description as tooltip. Strategies
+/// that this machine does not support are disabled, with the reason as tooltip.
 class StrategyModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
-    enum Role { IdRole = Qt::UserRole + 1 };
+    enum Role { IdRole = Qt::UserRole + 1, PromiseRole };
 
     /// Returns why a strategy cannot be used; none: it can be used.
     using Refusal = std::function<std::optional<Message>(const StrategyInfo&)>;

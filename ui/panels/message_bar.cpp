@@ -1,9 +1,12 @@
 #include "ui/panels/message_bar.h"
 
 #include <QApplication>
+#include <QDesktopServices>
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QStyle>
+#include <QUrl>
 
 #include "ui/text/translated.h"
 
@@ -39,6 +42,7 @@ MessageBar::MessageBar(QWidget& below)
         hide();
         take();
     });
+    m_openFolder = [](const QString& folder) { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); };
     setFrameShape(QFrame::StyledPanel);
     // A click on the bar must not reach the widget below.
     setAttribute(Qt::WA_NoMousePropagation);
@@ -71,12 +75,18 @@ void MessageBar::show(Severity severity, const Message& message) {
     qApp->installEventFilter(this);
 }
 
-void MessageBar::offer(const Message& message, const std::string& action, std::function<void()> take) {
-    show(Severity::Warning, message);
+void MessageBar::offer(Severity severity, const Message& message, const std::string& action, std::function<void()> take) {
+    show(severity, message);
     m_action = action;
     m_taken = std::move(take);
     m_take->show();
     refresh();
+}
+
+void MessageBar::confirmSaved(const QString& file) {
+    const QFileInfo saved(file);
+    offer(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {file.toStdString()}},
+          QT_TRANSLATE_NOOP("core", "Open the folder"), [this, folder = saved.absolutePath()] { m_openFolder(folder); });
 }
 
 void MessageBar::refresh() {

@@ -25,9 +25,13 @@ public:
     /// How long information stays; 6000 unless it is set.
     void setInformationTime(int milliseconds) { m_end.setInterval(milliseconds); }
     void show(Severity severity, const Message& message);
-    /// Shows a warning with a button that does something about it and closes the bar. Sentence and button are marked for
+    /// Shows a sentence with a button that does something about it and closes the bar. Sentence and button are marked for
     /// translation.
-    void offer(const Message& message, const std::string& action, std::function<void()> take);
+    void offer(Severity severity, const Message& message, const std::string& action, std::function<void()> take);
+    /// Confirms that a file was written, and offers to open its folder.
+    void confirmSaved(const QString& file);
+    /// What opens a folder; the desktop's own program unless it is set.
+    void setFolderOpener(std::function<void(const QString&)> open) { m_openFolder = std::move(open); }
     /// The button; hidden where nothing is offered.
     [[nodiscard]] QToolButton& offered() { return *m_take; }
     [[nodiscard]] QString text() const { return m_text->text(); }
@@ -48,6 +52,7 @@ private:
     QToolButton* m_close;
     std::string m_action;
     std::function<void()> m_taken;
+    std::function<void(const QString&)> m_openFolder;
     Severity m_severity = Severity::Information;
     Message m_message;
     QTimer m_end;

@@ -8,13 +8,14 @@
 #include <climits>
 #include <cmath>
 
+#include "ui/look/undo_guard.h"
 #include "ui/look/wheel_guard.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr int kSteps = 1000;
+constexpr int kSliderSteps = 1000;
 constexpr double kWideRange = 1000.0;  ///< a range with a larger ratio is logarithmic unasked
 constexpr int kDigits = 3;
 
@@ -67,7 +68,7 @@ SliderScale::SliderScale(const ParameterDeclaration& declaration) {
         m_from = least;
     else if (whole && least >= 0.0 && most - least > kWideRange)
         m_from = std::max(least, 1.0);
-    const int steps = whole && !logarithmic() ? int(std::min(most - least, double(kSteps))) : kSteps;
+    const int steps = whole && !logarithmic() ? int(std::min(most - least, double(kSliderSteps))) : kSliderSteps;
     m_values.push_back(least);
     for (int i = 0; i <= steps; ++i) {
         const double share = steps > 0 ? double(i) / steps : 1.0;
@@ -86,7 +87,8 @@ int SliderScale::positionOf(double value) const {
 }
 
 int SliderScale::decimals() const {
-    const double finest = logarithmic() ? m_from * std::pow(10.0, 1 - kDigits) : (m_values.back() - m_values.front()) / kSteps;
+    const double finest =
+        logarithmic() ? m_from * std::pow(10.0, 1 - kDigits) : (m_values.back() - m_values.front()) / kSliderSteps;
     return finest > 0.0 ? std::clamp(int(std::ceil(-std::log10(finest) - 1e-9)), 0, 9) : 3;
 }
 
@@ -104,6 +106,7 @@ NumberField::NumberField(const ParameterDeclaration& declaration, const Paramete
         addReal(declaration, std::get<double>(value));
     m_number->setAccessibleName(QString::fromStdString(declaration.key));
     leaveWheelUnlessFocused(*m_number);
+    leaveUndoToTheWindow(*m_number);
     setFocusProxy(m_number);
     row->addWidget(m_slider, 1);
     row->addWidget(m_number);

@@ -160,11 +160,7 @@ void Outliner::clicked(const QModelIndex& index) {
     setHidden({object}, !m_session.hidden()[object]);
 }
 
-void Outliner::setHidden(const std::vector<uint32_t>& objects, bool hidden) {
-    std::vector<bool> flags = m_session.hidden();
-    for (const uint32_t object : objects) flags[object] = hidden;
-    m_session.setHidden(flags);
-}
+void Outliner::setHidden(const std::vector<uint32_t>& objects, bool hidden) { setObjectsHidden(m_session, objects, hidden); }
 
 void Outliner::toggleSelected() {
     const std::vector<uint32_t> objects = selected();
@@ -174,15 +170,9 @@ void Outliner::toggleSelected() {
     setHidden(objects, anyShown);
 }
 
-void Outliner::isolateSelected() {
-    const std::vector<uint32_t> objects = selected();
-    if (objects.empty()) return;
-    std::vector<bool> flags(m_session.hidden().size(), true);
-    for (const uint32_t object : objects) flags[object] = false;
-    m_session.setHidden(flags);
-}
+void Outliner::isolateSelected() { isolateObjects(m_session, selected()); }
 
-void Outliner::showAll() { m_session.setHidden(std::vector<bool>(m_session.hidden().size(), false)); }
+void Outliner::showAll() { showAllObjects(m_session); }
 
 void Outliner::frameSelected() {
     const std::vector<uint32_t> objects = selected();

@@ -23,6 +23,12 @@ bool sameDeclarations(const ParameterSet& a, const ParameterSet& b) {
     return std::equal(a.declarations().begin(), a.declarations().end(), b.declarations().begin(), b.declarations().end(), key);
 }
 
+/// "-p rows=180", with the default value.
+QString commandLineText(const ParameterDeclaration& declaration) {
+    return QStringLiteral("-p %1=%2")
+        .arg(QString::fromStdString(declaration.key), QString::fromStdString(toText(declaration.defaultValue)));
+}
+
 }  // namespace
 
 ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent) {
@@ -51,15 +57,17 @@ void ParameterForm::rebuild() {
     for (const ParameterDeclaration& declaration : m_parameters.declarations()) {
         QWidget* editor = field(declaration);
         const QString sentence = translated(declaration.description);
-        auto* label = new QLabel(QString::fromStdString(declaration.key));
-        label->setBuddy(editor);
-        label->setToolTip(sentence);
-        editor->setToolTip(sentence);
-        form->addRow(label, editor);
+        // The sentence in the user's language comes first; the key, as on the command line, stands in grey beside the field.
         auto* explanation = new QLabel(sentence);
         explanation->setWordWrap(true);
-        explanation->setEnabled(false);
+        explanation->setBuddy(editor);
         form->addRow(explanation);
+        auto* key = new QLabel(QString::fromStdString(declaration.key));
+        key->setEnabled(false);
+        key->setToolTip(tr("As on the command line: %1").arg(commandLineText(declaration)));
+        editor->setToolTip(sentence);
+        form->addRow(key, editor);
+        if (auto* choices = qobject_cast<QComboBox*>(editor)) form->addRow(meaningOfChoice(*choices));
     }
     if (m_parameters.declarations().empty()) {
         auto* none = new QLabel(tr("This strategy has no parameters."));
@@ -68,6 +76,15 @@ void ParameterForm::rebuild() {
     }
     layout()->addWidget(m_fields);
     orderTabs();
+}
+
+QLabel* ParameterForm::meaningOfChoice(QComboBox& box) {
+    auto* meaning = new QLabel;
+    meaning->setWordWrap(true);
+    const auto say = [&box, meaning] { meaning->setText(box.currentData(Qt::ToolTipRole).toString()); };
+    QObject::connect(&box, &QComboBox::currentIndexChanged, meaning, say);
+    say();
+    return meaning;
 }
 
 void ParameterForm::setTabPredecessor(QWidget* widget) {

@@ -4,7 +4,9 @@
 
 #include "core/visibility/parameters.h"
 
+class QComboBox;
 class QFormLayout;
+class QLabel;
 
 namespace cullscope::ui {
 
@@ -35,6 +37,8 @@ private:
     QWidget* checkBox(const ParameterDeclaration& declaration);
     QWidget* number(const ParameterDeclaration& declaration);
     QWidget* list(const ParameterDeclaration& declaration);
+    /// What the chosen one of several choices means, in the user's language.
+    static QLabel* meaningOfChoice(QComboBox& box);
     void take(const std::string& key, const ParameterValue& value);
 
     ParameterSet m_parameters;

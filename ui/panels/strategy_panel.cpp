@@ -3,11 +3,13 @@
 #include <QAbstractItemView>
 #include <QEvent>
 #include <QPainter>
+#include <QStyle>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/visibility/registry.h"
+#include "ui/look/promise_marker.h"
 #include "ui/look/wheel_guard.h"
 #include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
@@ -17,7 +19,11 @@ namespace cullscope::ui {
 
 namespace {
 
-/// Paints a strategy's name followed by its id in grey.
+constexpr int kGap = 12;  // pixels between the columns of the list
+constexpr int kMarker = 10;
+
+/// Paints a strategy in three columns: its name, the promise with its marker, and the id in grey. The columns are as wide as the
+/// widest entry of the list, so that nothing lies over anything.
 class StrategyDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -28,19 +34,40 @@ public:
         const QPalette::ColorGroup group = option.state & QStyle::State_Enabled ? QPalette::Active : QPalette::Disabled;
         QColor colour =
             option.palette.color(group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
+        const QRect inner = option.rect.adjusted(0, 0, -kGap, 0);
+        const Promise promise = promiseOf(index);
+        const int left = inner.right() - widestId(option.fontMetrics) - kGap - widestPromise(option.fontMetrics);
+        const QRectF marker(left, inner.center().y() - kMarker / 2.0 + 1.0, kMarker, kMarker);
+        drawPromiseMarker(*painter, marker, promise, colour);
+        painter->setPen(colour);
+        painter->drawText(inner.adjusted(left + kMarker + kGap / 2 - inner.left(), 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                          promiseWord(promise));
         colour.setAlpha(160);
         painter->setPen(colour);
-        painter->drawText(option.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter, id(index));
+        painter->drawText(inner, Qt::AlignRight | Qt::AlignVCenter, id(index));
         painter->restore();
     }
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         const QSize size = QStyledItemDelegate::sizeHint(option, index);
-        return {size.width() + option.fontMetrics.horizontalAdvance(id(index)) + 32, size.height() + 6};
+        return {size.width() + widestPromise(option.fontMetrics) + widestId(option.fontMetrics) + 3 * kGap, size.height() + 6};
     }
 
 private:
     static QString id(const QModelIndex& index) { return index.data(StrategyModel::IdRole).toString(); }
+    static Promise promiseOf(const QModelIndex& index) { return Promise(index.data(StrategyModel::PromiseRole).toInt()); }
+    static int widestId(const QFontMetrics& letters) {
+        int widest = 0;
+        for (const RegisteredStrategy& strategy : strategies())
+            widest = std::max(widest, letters.horizontalAdvance(QString::fromStdString(strategy.info.id)));
+        return widest;
+    }
+    static int widestPromise(const QFontMetrics& letters) {
+        int widest = 0;
+        for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
+            widest = std::max(widest, letters.horizontalAdvance(promiseWord(promise)));
+        return widest + kMarker + kGap / 2;
+    }
 };
 
 }  // namespace
@@ -105,6 +132,9 @@ void StrategyPanel::refresh() {
     m_choice->setCurrentIndex(m_model->rowOf(slot.id()));
     m_choice->setAccessibleName(tr("Strategy"));
     m_choice->setToolTip(translated(info.description));
+    // The list may be wider than the field that opens it.
+    const int bar = m_choice->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    m_choice->view()->setMinimumWidth(m_choice->view()->sizeHintForColumn(0) + bar);
     QString grey = palette().color(QPalette::Disabled, QPalette::WindowText).name();
     m_description->setText(
         QStringLiteral("%1 <span style='color:%2'>%3</span>")

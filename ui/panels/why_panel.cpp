@@ -1,6 +1,7 @@
 #include "ui/panels/why_panel.h"
 
 #include <QEvent>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include "ui/text/translated.h"
@@ -147,7 +148,13 @@ QString WhyPanel::heading() const {
     const std::optional<Pick>& pick = m_session.pick();
     if (!pick) return {};
     const QString object = QString::fromStdString(m_session.opened()->scene->instances()[pick->object].name);
-    return tr("%1, triangle %2", "name of an object").arg(object, countText(pick->triangle));
+    const QString named = tr("%1, triangle %2", "name of an object").arg(object, countText(pick->triangle));
+    if (!m_session.pointBefore()) return named;
+    const Vec3 way = pick->point - *m_session.pointBefore();
+    const auto number = [](double value) { return QLocale().toString(value, 'g', 4); };
+    return named + QLatin1Char('\n') +
+           tr("%1 from the point picked before (x %2, y %3, z %4)", "a length, and its components along the axes")
+               .arg(number(glm::length(way)), number(way.x), number(way.y), number(way.z));
 }
 
 QString WhyPanel::outcome() const {

@@ -8,6 +8,16 @@
 
 namespace cullscope::ui {
 
+/// A camera that the user stored, and the name that was given to it; empty: none.
+struct CameraBookmark : Camera {
+    CameraBookmark() = default;
+    CameraBookmark(const Camera& camera, std::string called = {}) : Camera(camera), name(std::move(called)) {}
+
+    std::string name;
+
+    bool operator==(const CameraBookmark&) const = default;
+};
+
 /// Cameras that the user stores, numbered from 0. They are kept when another scene is opened, so that variants of a model can be
 /// compared from the same cameras.
 class CameraBookmarks : public QObject {
@@ -15,7 +25,7 @@ class CameraBookmarks : public QObject {
 
 public:
     static constexpr int kCount = 4;
-    using Places = std::array<std::optional<Camera>, kCount>;
+    using Places = std::array<std::optional<CameraBookmark>, kCount>;
 
     using QObject::QObject;
 
@@ -24,6 +34,8 @@ public:
 
     /// Stores the viewing camera of the active view.
     void store(int place, const Session& session);
+    /// Names a stored camera; does nothing where the place is empty.
+    void name(int place, const std::string& name);
     /// Sets the viewing camera of the active view. Returns false if the place is empty or no scene is open.
     bool recall(int place, Session& session) const;
 

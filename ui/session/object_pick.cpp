@@ -46,6 +46,21 @@ void pickLoss(Session& session, uint32_t object) {
     if (const std::optional<Pick> pick = pickOfObject(session, object)) session.setPick(pick);
 }
 
+void setObjectsHidden(Session& session, const std::vector<uint32_t>& objects, bool hidden) {
+    std::vector<bool> flags = session.hidden();
+    for (const uint32_t object : objects) flags[object] = hidden;
+    session.setHidden(flags);
+}
+
+void isolateObjects(Session& session, const std::vector<uint32_t>& objects) {
+    if (objects.empty()) return;
+    std::vector<bool> flags(session.hidden().size(), true);
+    for (const uint32_t object : objects) flags[object] = false;
+    session.setHidden(flags);
+}
+
+void showAllObjects(Session& session) { session.setHidden(std::vector<bool>(session.hidden().size(), false)); }
+
 void frameObject(Session& session, uint32_t object) { session.frame(session.opened()->scene->instanceSphere(object)); }
 
 }  // namespace cullscope::ui

@@ -19,6 +19,12 @@ void pickObject(Session& session, uint32_t object);
 /// Picks an object by a wrongly culled triangle, if it has one, even if another of its triangles is picked.
 void pickLoss(Session& session, uint32_t object);
 
+/// Hides or shows objects; the others stay as they are.
+void setObjectsHidden(Session& session, const std::vector<uint32_t>& objects, bool hidden);
+/// Hides all others; does nothing where there are none to isolate.
+void isolateObjects(Session& session, const std::vector<uint32_t>& objects);
+void showAllObjects(Session& session);
+
 /// Fits an object into the active view.
 void frameObject(Session& session, uint32_t object);
 

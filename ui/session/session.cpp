@@ -43,6 +43,7 @@ Session::Session(Options options, QObject* parent)
         makeGraphics();
     }
     for (int view = 0; view < kMostViews; ++view) makeView(view);
+    wantStrategies();
     m_rest.setSingleShot(true);
     m_rest.setInterval(options.restBeforeMeasuring);
     connect(&m_rest, &QTimer::timeout, this, [this] { measure(false); });
@@ -166,6 +167,7 @@ void Session::show(const OpenedScenePointer& opened) {
     m_chosenNear.reset();
     m_camera = Camera{};
     m_pick.reset();
+    m_pointBefore.reset();
     setStep(std::nullopt);
     if (m_pictures) m_pictures->forget();
     for (int view = 0; view < kMostViews; ++view)
@@ -227,10 +229,22 @@ std::vector<int> Session::shownViews() const {
     return views;
 }
 
+void Session::wantStrategies() {
+    std::array<bool, kMostViews> wanted{};
+    for (const int view : shownViews()) {
+        wanted[size_t(view)] = wanted[size_t(culledBy(view))] = true;
+        const Wipe& wipe = setup(view).wipe;
+        if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference)
+            wanted[size_t(culledBy(wipe.other))] = true;
+    }
+    for (int view = 0; view < kMostViews; ++view) slot(view).setWanted(wanted[size_t(view)]);
+}
+
 void Session::setViewCount(int count) {
     if (count == m_viewCount || std::find(kViewCounts.begin(), kViewCounts.end(), count) == kViewCounts.end()) return;
     m_viewCount = count;
     if (count > 1 && m_activeView >= count) setActiveView(0);
+    wantStrategies();
     emit viewCountChanged();
     update();
 }
@@ -238,6 +252,7 @@ void Session::setViewCount(int count) {
 void Session::setActiveView(int view) {
     if (view < 0 || view >= kMostViews || view == m_activeView) return;
     m_activeView = view;
+    wantStrategies();
     emit activeViewChanged();
     update();
 }
@@ -263,6 +278,7 @@ void Session::changeSetup(int view, const ViewSetup& setup) {
                 emit setupChanged(other);
             }
     if (m_upload) m_upload->want(setup.upload);
+    wantStrategies();
     emit setupChanged(view);
     if (otherCamera) emit cameraChanged();
     update();

@@ -199,9 +199,15 @@ public:
 
     // Picking
     [[nodiscard]] const std::optional<Pick>& pick() const { return m_pick; }
+    /// The point that was picked before, from which the distance to the present one is measured; none: there is none, or nothing
+    /// is picked now.
+    [[nodiscard]] const std::optional<Vec3>& pointBefore() const { return m_pointBefore; }
     void setPick(const std::optional<Pick>& pick);
     /// Looks up what a view's picture shows at a pixel (y upward) and picks it; a pixel of the background clears the pick.
     void pickAt(int view, int x, int y);
+    /// The object that a view's picture shows at a pixel (y upward); waits for the GPU thread. None: the background, or a
+    /// question is open.
+    [[nodiscard]] std::optional<uint32_t> objectAt(int view, int x, int y);
     /// Picks what is missing at a lost pixel of a view's picture, or near it, whether lost pixels are marked or not.
     void pickLostAt(int view, int x, int y);
 
@@ -225,6 +231,8 @@ public:
     [[nodiscard]] const std::shared_ptr<StructureStore>& structures() const { return m_structures; }
 
     void raise(cullscope::ui::Severity severity, const Message& message) { emit messageRaised(severity, message); }
+    /// Confirms that a file was written.
+    void tellSaved(const QString& file) { emit fileSaved(file); }
 
 signals:
     void sceneChanged();
@@ -248,6 +256,7 @@ signals:
     void groupChanged();
     /// Emitted after pickChanged if the pick came from a click into this view's picture.
     void pickedInPicture(int view);
+    void fileSaved(const QString& file);
     void messageRaised(cullscope::ui::Severity severity, const cullscope::Message& message);
 
 private:
@@ -272,6 +281,8 @@ private:
     };
 
     void makeGraphics();
+    /// Has the strategies built that a shown view needs, and no others.
+    void wantStrategies();
     void makeView(int view);
     void tellRepairs();
     void nameInQuestion(uint64_t triangle, const Vec3& point);
@@ -330,6 +341,7 @@ private:
     int m_viewCount = 2;
     int m_activeView = 1;
     std::optional<Pick> m_pick;
+    std::optional<Vec3> m_pointBefore;
     std::optional<ChosenGroup> m_group;
     std::optional<ShownStep> m_step;
     std::optional<Prediction> m_question;

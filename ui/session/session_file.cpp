@@ -56,7 +56,10 @@ Json jsonOfState(const SessionState& state, const std::string& scene) {
     if (!state.inside.map.empty()) json["inside"]["map"] = state.inside.map;
     if (state.style) json["colours"] = jsonOf(*state.style);
     for (const SessionState::View& view : state.views) json["views"].push_back(jsonOf(view));
-    for (const std::optional<Camera>& place : state.bookmarks) json["bookmarks"].push_back(place ? jsonOf(*place) : Json());
+    for (const std::optional<CameraBookmark>& place : state.bookmarks) {
+        json["bookmarks"].push_back(place ? jsonOf(static_cast<const Camera&>(*place)) : Json());
+        if (place && !place->name.empty()) json["bookmarks"].back()["name"] = place->name;
+    }
     return json;
 }
 
@@ -125,7 +128,10 @@ void readViews(const JsonField& list, SessionState& state) {
 void readBookmarks(const JsonField& list, CameraBookmarks::Places& places) {
     const size_t count = list.listSize(places.size());
     for (size_t place = 0; place < count; ++place)
-        if (!list.at(place).isNull()) places[place] = readCamera(list.at(place));
+        if (const JsonField bookmark = list.at(place); !bookmark.isNull()) {
+            places[place] = readCamera(bookmark);
+            if (const auto name = bookmark.find("name")) places[place]->name = name->text();
+        }
 }
 
 void readWindow(const JsonField& json, SessionState& state) {

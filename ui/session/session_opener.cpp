@@ -62,6 +62,12 @@ SessionOpener::Kind SessionOpener::kindOf(const QString& what) {
     return Kind::Scene;
 }
 
+QStringList SessionOpener::pictureExtensions() {
+    QStringList extensions;
+    for (const char* type : kPictureTypes) extensions << QString::fromLatin1(type);
+    return extensions;
+}
+
 void SessionOpener::open(const QString& what) {
     const Kind kind = kindOf(what);
     if (kind == Kind::Scene) return m_session.open(what);

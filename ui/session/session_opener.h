@@ -23,6 +23,8 @@ public:
     /// The kind by file name extension: `.cullscope` and `.json` are sessions, the picture formats that Cullscope writes are
     /// pictures; core opens all others and all generators.
     [[nodiscard]] static Kind kindOf(const QString& what);
+    /// Lower case, without a dot.
+    [[nodiscard]] static QStringList pictureExtensions();
 
     /// Opens in the background. A newer call, or any newer opening of a scene, replaces this one.
     void open(const QString& what);

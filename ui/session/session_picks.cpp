@@ -7,12 +7,21 @@ void Session::setPick(const std::optional<Pick>& pick) {
     if (m_pictures) m_pictures->cancelPick();
     setGroup(std::nullopt);
     if (pick == m_pick) return;
+    m_pointBefore = pick && m_pick ? std::optional(m_pick->point) : std::nullopt;
     m_pick = pick;
     emit pickChanged();
 }
 
 void Session::pickAt(int view, int x, int y) {
     if (const std::optional<ViewRequest> request = viewRequest(view)) pickIn(view, *request, x, y);
+}
+
+std::optional<uint32_t> Session::objectAt(int view, int x, int y) {
+    const std::optional<ViewRequest> request = viewRequest(view);
+    if (!request || m_question) return std::nullopt;
+    const std::optional<ViewPictureDrawer::Picked> picked = m_pictures->pickNow(*request, x, y);
+    if (!picked || m_scene != request->buffers->scenePointer()) return std::nullopt;
+    return objectOf(uint32_t(m_scene->instanceOf(picked->triangle)));
 }
 
 void Session::pickLostAt(int view, int x, int y) {

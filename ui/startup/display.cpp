@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/base/last_words.h"
 #include "core/base/memory_limit.h"
+#include "ui/look/wrapped_tips.h"
 #include "ui/startup/abrupt_end.h"
 #include "ui/text/translated.h"
 
@@ -84,6 +85,7 @@ std::unique_ptr<Application> makeApplication(int& argc, char** argv) {
     const QtMessageHandler previous = qInstallMessageHandler(endWithSentence);
     auto application = std::make_unique<Application>(argc, argv);
     qInstallMessageHandler(previous);
+    application->installEventFilter(new WrappedTips(application.get()));
     return application;
 }
 

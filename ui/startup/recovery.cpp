@@ -44,6 +44,7 @@ void Recovery::offer() {
     if (!std::filesystem::is_regular_file(m_file, unreadable)) return;
     const auto show = [this] {
         m_window.message().offer(
+            Severity::Warning,
             {QT_TRANSLATE_NOOP("core", "Something failed when Cullscope last ran. The session was kept as it was then."), {}},
             QT_TRANSLATE_NOOP("core", "Open it"), [this] { open(); });
     };

@@ -1,10 +1,17 @@
 #include "ui/statistics/html_report.h"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgRenderer>
+#include <QTextDocument>
+#include <QUrl>
 
 #include "core/experiments/result_file.h"
+#include "ui/statistics/conclusion.h"
 #include "ui/statistics/result_table_model.h"
 #include "ui/statistics/run_figures.h"
 #include "ui/text/wording.h"
@@ -13,6 +20,8 @@ namespace cullscope::ui {
 
 namespace {
 
+constexpr int kPrintedWidth = 640;  // of pictures in a PDF, in the units of its text
+constexpr int kPrintedLetters = 8;  // points
 constexpr const char* kStyle =
     "body{font:15px/1.5 sans-serif;color:#1a1c1f;background:#fff;max-width:1100px;margin:24px auto;padding:0 16px}"
     "h1{font-size:26px;margin:0 0 8px}h2{font-size:19px;margin:28px 0 8px}table{border-collapse:collapse;margin:8px 0}"
@@ -99,9 +108,52 @@ QString frameTable(const MeasureResult& result) {
 /// An SVG document without its XML declaration, for embedding in HTML.
 QString inlined(const QByteArray& svg) { return QString::fromUtf8(svg.mid(std::max<qsizetype>(0, svg.indexOf("<svg")))); }
 
-}  // namespace
+QByteArray pngOf(const QImage& picture) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    return bytes;
+}
 
-QByteArray htmlReport(const MeasureResult& result, const QString& command, const std::vector<ReportPlot>& plots) {
+/// How a report refers to its pictures: within the page itself, or by names that the document knows.
+struct Pictures {
+    bool embedded = true;
+    QTextDocument* document = nullptr;  ///< where they are not embedded
+
+    [[nodiscard]] QString scene(const QImage& picture) const {
+        if (embedded)
+            return QStringLiteral("<img src=\"data:image/png;base64,%1\" alt=\"\">")
+                .arg(QString::fromLatin1(pngOf(picture).toBase64()));
+        return named(QStringLiteral("scene"), picture);
+    }
+    [[nodiscard]] QString plot(const ReportPlot& plot, size_t number) const {
+        if (embedded) return inlined(plot.svg);
+        QSvgRenderer renderer(plot.svg);
+        // Twice as fine as the text beside it is printed.
+        QImage picture(2 * renderer.defaultSize(), QImage::Format_RGB32);
+        picture.fill(Qt::white);
+        QPainter painter(&picture);
+        renderer.render(&painter);
+        painter.end();
+        return named(QStringLiteral("plot-%1").arg(number), picture);
+    }
+
+private:
+    [[nodiscard]] QString named(const QString& name, const QImage& picture) const {
+        document->addResource(QTextDocument::ImageResource, QUrl(name), picture);
+        return QStringLiteral("<img src=\"%1\" width=\"%2\">").arg(name).arg(std::min(kPrintedWidth, picture.width()));
+    }
+};
+
+QString conclusion(const MeasureResult& result) {
+    QString list = heading(QCoreApplication::translate("HtmlReport", "Conclusion")) + QStringLiteral("<ul>\n");
+    for (const QString& sentence : conclusionsOf(result))
+        list += QStringLiteral("<li>") + sentence.toHtmlEscaped() + QStringLiteral("</li>\n");
+    return list + QStringLiteral("</ul>\n");
+}
+
+QString reportPage(const MeasureResult& result, const ReportParts& parts, const Pictures& pictures) {
     const QString scene = QString::fromStdString(result.request.scene->name());
     const QString title =
         QCoreApplication::translate("HtmlReport", "Cullscope: what culling gains and loses in %1").arg(scene).toHtmlEscaped();
@@ -112,14 +164,39 @@ QByteArray htmlReport(const MeasureResult& result, const QString& command, const
     if (result.interrupted)
         page += QStringLiteral(" · ") +
                 QCoreApplication::translate("HtmlReport", "stopped early: the poses measured until then").toHtmlEscaped();
-    page += QStringLiteral("</p>\n") + facts(result);
+    page += QStringLiteral("</p>\n") + conclusion(result);
+    if (!parts.picture.isNull())
+        page += heading(QCoreApplication::translate("HtmlReport", "The scene, as the active view showed it")) +
+                QStringLiteral("<figure>") + pictures.scene(parts.picture) + QStringLiteral("</figure>\n");
+    page += facts(result);
     page += heading(QCoreApplication::translate("HtmlReport", "The command that repeats it")) + QStringLiteral("<pre>") +
-            command.toHtmlEscaped() + QStringLiteral("</pre>\n");
+            parts.command.toHtmlEscaped() + QStringLiteral("</pre>\n");
     page += heading(QCoreApplication::translate("HtmlReport", "Results")) + resultTable(result);
-    for (const ReportPlot& plot : plots)
-        page += heading(plot.title) + QStringLiteral("<figure>") + inlined(plot.svg) + QStringLiteral("</figure>\n");
+    for (size_t i = 0; i < parts.plots.size(); ++i)
+        page += heading(parts.plots[i].title) + QStringLiteral("<figure>") + pictures.plot(parts.plots[i], i) +
+                QStringLiteral("</figure>\n");
     page += heading(QCoreApplication::translate("HtmlReport", "Every frame")) + frameTable(result);
-    return (page + QStringLiteral("</body>\n</html>\n")).toUtf8();
+    return page + QStringLiteral("</body>\n</html>\n");
+}
+
+}  // namespace
+
+QByteArray htmlReport(const MeasureResult& result, const ReportParts& parts) { return reportPage(result, parts, {}).toUtf8(); }
+
+QByteArray pdfReport(const MeasureResult& result, const ReportParts& parts) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setTitle(QString::fromStdString(result.request.scene->name()));
+    QTextDocument document;
+    QFont font = document.defaultFont();
+    font.setPointSize(kPrintedLetters);
+    document.setDefaultFont(font);
+    document.setHtml(reportPage(result, parts, {false, &document}));
+    document.print(&writer);
+    return bytes;
 }
 
 }  // namespace cullscope::ui

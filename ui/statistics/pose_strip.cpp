@@ -1,5 +1,6 @@
 #include "ui/statistics/pose_strip.h"
 
+#include <QLocale>
 #include <algorithm>
 
 #include "ui/text/wording.h"
@@ -14,6 +15,11 @@ constexpr double kLargestLoss = -0.5;
 constexpr double kRing = -0.12;
 constexpr double kRingSize = 6.0;      // pixels
 constexpr double kWidestColumn = 0.4;  // of the plot's height
+
+constexpr double kWholeLoss = 100'000.0;  // parts per million: the end of lossShare's scale
+
+/// A loss in parts per million as a share: "0.001 %".
+QString lossTick(double ppm) { return QLocale().toString(ppm / 1e4, 'g', 3) + QStringLiteral(" %"); }
 
 PlotBox column(const PoseFigures& pose, double top, double bottom) {
     return {double(pose.pose) - 0.5, top, double(pose.pose) + 0.5, bottom};
@@ -39,9 +45,11 @@ std::vector<LinePlot> PoseStrip::plots(const QPalette& palette) const {
     plot.widest = kWidestColumn * double(poseCount());
     plot.x = {{}, PlotScale::Linear, -0.5, double(poseCount()) - 0.5, false, true};
     plot.y = {title().toStdString(), PlotScale::Linear, kLowest, 1.0};
-    plot.y.ticks = {{kLargestLoss / 2, tr("missed").toStdString()},
-                    {0.5, tr("frame").toStdString()},
-                    {1.0, millisecondsText(longest).toStdString()}};
+    plot.y.ticks = {{0.5, tr("frame").toStdString()}, {1.0, millisecondsText(longest).toStdString()}};
+    // The scale of losses is logarithmic: its ticks are decades, so that a column's length can be read.
+    for (const double ppm : {10.0, 1'000.0, kWholeLoss})
+        plot.y.ticks.push_back(
+            {kLargestLoss * lossShare(ppm), tr("missed %1", "a loss in parts per million").arg(lossTick(ppm)).toStdString()});
     PlotBars times{{}, colours.draw.rgba(), {}}, losses{{}, colours.loss.rgba(), {}};
     for (const PoseFigures& pose : run().poses) {
         times.boxes.push_back(column(pose, pose.frameMilliseconds / longest, 0.0));

@@ -62,6 +62,10 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       m_table(new QTableView(this)),
       m_tableEmpty(new QLabel(this)),
       m_model(new ResultTableModel(this)),
+      m_historyPage(new QStackedWidget(this)),
+      m_pastTable(new QTableView(this)),
+      m_historyEmpty(new QLabel(this)),
+      m_history(new HistoryModel(this)),
       m_times(new TimeBar(this)),
       m_strip(new PoseStrip(this)),
       m_path(new PathPlot(this)),
@@ -71,6 +75,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     setUpBars();
     setUpTable();
     setUpPlots();
+    setUpHistory();
     setUpMenu();
     m_pause.setSingleShot(true);
     m_pause.setInterval(kInterval);
@@ -159,6 +164,38 @@ void StatisticsPanel::setUpPlots() {
     for (PlotWidget* plot : plots()) addPage(plot);
     for (const PosePlot* plot : std::initializer_list<PosePlot*>{m_strip, m_sphere})
         connect(plot, &PosePlot::poseChosen, this, &StatisticsPanel::poseChosen);
+}
+
+void StatisticsPanel::setUpHistory() {
+    m_pastTable->setModel(m_history);
+    m_pastTable->setFrameShape(QFrame::NoFrame);
+    m_pastTable->setAlternatingRowColors(true);
+    m_pastTable->setTabKeyNavigation(false);
+    m_pastTable->setTextElideMode(Qt::ElideNone);
+    m_pastTable->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_pastTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_pastTable->horizontalHeader()->setSectionsClickable(false);
+    m_pastTable->verticalHeader()->setSectionsClickable(false);
+    m_historyEmpty->setAlignment(Qt::AlignCenter);
+    m_historyEmpty->setWordWrap(true);
+    m_historyEmpty->setAutoFillBackground(true);
+    m_historyEmpty->setBackgroundRole(QPalette::Base);
+    m_historyPage->addWidget(m_historyEmpty);
+    m_historyPage->addWidget(m_pastTable);
+    m_pages->addWidget(m_historyPage);
+}
+
+void StatisticsPanel::setHistory(std::vector<PastExperiment> experiments) {
+    m_historyPage->setCurrentWidget(experiments.empty() ? static_cast<QWidget*>(m_historyEmpty) : m_pastTable);
+    m_history->setExperiments(std::move(experiments));
+}
+
+QString StatisticsPanel::pathAndSize(const MeasureRequest& request) {
+    //: A camera path and the size of the pictures.
+    return tr("%1 · %2 × %3")
+        .arg(QString::fromStdString(request.path.name).section(QLatin1Char('/'), -1))
+        .arg(request.size.width)
+        .arg(request.size.height);
 }
 
 std::array<PlotWidget*, 5> StatisticsPanel::plots() const { return {m_times, m_strip, m_path, m_pareto, m_sphere}; }
@@ -286,18 +323,15 @@ void StatisticsPanel::refreshControls() {
 }
 
 void StatisticsPanel::refreshSummary() {
-    if (!m_result || ((m_tabs->currentIndex() == Table || m_tabs->currentIndex() == Times) && !showsExperiment())) {
+    if (!m_result || m_tabs->currentIndex() == History ||
+        ((m_tabs->currentIndex() == Table || m_tabs->currentIndex() == Times) && !showsExperiment())) {
         m_summary->hide();
         return;
     }
     const MeasureRequest& request = m_result->request;
-    //: A camera path, the size of the picture, and how many of the path's poses were measured.
-    m_summary->setText(tr("%1 · %2 × %3 · %4 of %5 poses")
-                           .arg(QString::fromStdString(request.path.name).section(QLatin1Char('/'), -1))
-                           .arg(request.size.width)
-                           .arg(request.size.height)
-                           .arg(measuredPoses(*m_result))
-                           .arg(request.path.poses.size()));
+    //: A camera path with the size of the picture, and how many of the path's poses were measured.
+    m_summary->setText(
+        tr("%1 · %2 of %3 poses").arg(pathAndSize(request)).arg(measuredPoses(*m_result)).arg(request.path.poses.size()));
     m_summary->show();
     if (m_result->gl.software) m_software->show();
 }
@@ -320,7 +354,8 @@ PlotWidget* StatisticsPanel::currentPlot() const {
 }
 
 void StatisticsPanel::retranslate() {
-    const std::array<QString, TabCount> tabs{tr("Table"), tr("Times"), tr("Poses"), tr("Plot"), tr("Pareto"), tr("Sphere")};
+    const std::array<QString, TabCount> tabs{tr("Table"),  tr("Times"),  tr("Poses"),  tr("Plot"),
+                                             tr("Pareto"), tr("Sphere"), tr("History")};
     for (int tab = 0; tab < TabCount; ++tab) m_tabs->setTabText(tab, tabs[size_t(tab)]);
     m_tabs->setAccessibleName(tr("Statistics"));
     m_source->setItemText(0, tr("at the present camera"));
@@ -328,11 +363,14 @@ void StatisticsPanel::retranslate() {
     m_source->setAccessibleName(tr("Which figures are shown"));
     m_run->setAccessibleName(tr("Strategy whose poses are shown"));
     m_table->setAccessibleName(tr("Results"));
+    m_pastTable->setAccessibleName(tr("Experiments beside each other"));
+    m_historyEmpty->setText(tr("Each experiment that ends appears here beside the others, until the program ends."));
+    m_history->retranslate();
     m_software->setText(tr("software OpenGL"));
     m_software->setToolTip(tr("Software OpenGL: not the times of a graphics card"));
     m_export->setText(tr("Export"));
-    const std::array<QString, 5> files{tr("Frames as CSV…"), tr("Result as JSON…"), tr("Plot as SVG…"), tr("Plot as PDF…"),
-                                       tr("Report as HTML…")};
+    const std::array<QString, 6> files{tr("Frames as CSV…"), tr("Result as JSON…"), tr("Plot as SVG…"),
+                                       tr("Plot as PDF…"),   tr("Report as HTML…"), tr("Report as PDF…")};
     for (qsizetype i = 0; i < m_menu->actions().size(); ++i) m_menu->actions()[i]->setText(files[size_t(i)]);
     m_model->retranslate();
     refresh();

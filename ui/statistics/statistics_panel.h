@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QComboBox>
+#include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QStackedWidget>
@@ -10,9 +11,11 @@
 #include <QToolButton>
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "ui/statistics/experiment_bar.h"
+#include "ui/statistics/history_model.h"
 #include "ui/statistics/measure_command.h"
 #include "ui/statistics/result_table_model.h"
 
@@ -34,8 +37,8 @@ class StatisticsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    enum Tab { Table, Times, Poses, Path, Pareto, Sphere, TabCount };
-    enum class File { Csv, Json, Svg, Pdf, Html };
+    enum Tab { Table, Times, Poses, Path, Pareto, Sphere, History, TabCount };
+    enum class File { Csv, Json, Svg, Pdf, Html, Report };
 
     explicit StatisticsPanel(QWidget* parent = nullptr);
     ~StatisticsPanel() override;
@@ -44,6 +47,8 @@ public:
     void setScene(ScenePointer scene, SceneOrigin origin = {});
     /// Shows a badge beside the times if OpenGL is rendered by the CPU.
     void setSoftwareOpenGl(bool software);
+    /// What gives the picture of the scene in a report; none by default.
+    void setScenePicture(std::function<QImage()> picture) { m_scenePicture = std::move(picture); }
     void setCurrentSize(const Viewport& size) { m_bar->setCurrentSize(size); }
     /// Sets the recorded path. Its name is written into result files; if it is a file name, also into the command of the report.
     void setRecordedPath(std::optional<CameraPath> path) { m_bar->setRecordedPath(std::move(path)); }
@@ -53,6 +58,8 @@ public:
     /// Sets a partial or complete result: the experiment's table (sweepExperiment), and the frames behind it. A result of another
     /// scene is ignored.
     void setResult(const ResultTable& table, const MeasureResult& result);
+    /// Sets the experiments that were measured since the program began, the newest last.
+    void setHistory(std::vector<PastExperiment> experiments);
     /// Begins or ends an experiment. While it runs its result replaces the metrics at the present camera.
     void setRunning(bool running);
     void setProgress(double share, const QString& stage) { m_bar->setProgress(share, stage); }
@@ -63,6 +70,9 @@ public:
 
     [[nodiscard]] ExperimentBar& bar() { return *m_bar; }
     [[nodiscard]] ResultTableModel& model() { return *m_model; }
+    [[nodiscard]] HistoryModel& history() { return *m_history; }
+    /// "fibonacci:16 · 320 × 240": path and size of a measurement.
+    [[nodiscard]] static QString pathAndSize(const MeasureRequest& request);
 
 signals:
     void startRequested(const cullscope::ui::ExperimentSettings& settings);
@@ -78,6 +88,7 @@ private:
     void setUpBars();
     void setUpTable();
     void setUpPlots();
+    void setUpHistory();
     void setUpMenu();
     void addPage(PlotWidget* plot);
     [[nodiscard]] std::array<PlotWidget*, 5> plots() const;
@@ -111,6 +122,10 @@ private:
     QTableView* m_table;
     QLabel* m_tableEmpty;
     ResultTableModel* m_model;
+    QStackedWidget* m_historyPage;  ///< the experiments beside each other, or a hint while there are none
+    QTableView* m_pastTable;
+    QLabel* m_historyEmpty;
+    HistoryModel* m_history;
     TimeBar* m_times;
     PoseStrip* m_strip;
     PathPlot* m_path;
@@ -121,6 +136,7 @@ private:
     bool m_waiting = false;
     bool m_running = false;
 
+    std::function<QImage()> m_scenePicture = [] { return QImage(); };
     ScenePointer m_scene;
     SceneOrigin m_origin;
     std::vector<LiveFigures> m_live;

@@ -30,7 +30,7 @@ QSize reportSizeOf(const PlotWidget& plot, bool rows) {
 }  // namespace
 
 void StatisticsPanel::setUpMenu() {
-    for (const File file : {File::Csv, File::Json, File::Svg, File::Pdf, File::Html}) {
+    for (const File file : {File::Csv, File::Json, File::Svg, File::Pdf, File::Html, File::Report}) {
         QAction* action = m_menu->addAction({}, this, [this, file] { askWhereTo(file); });
         action->setData(int(file));
     }
@@ -59,8 +59,8 @@ std::vector<ReportPlot> StatisticsPanel::reportPlots() const {
 }
 
 void StatisticsPanel::askWhereTo(File file) {
-    const std::array<QString, 5> endings{QStringLiteral("csv"), QStringLiteral("json"), QStringLiteral("svg"),
-                                         QStringLiteral("pdf"), QStringLiteral("html")};
+    const std::array<QString, 6> endings{QStringLiteral("csv"), QStringLiteral("json"), QStringLiteral("svg"),
+                                         QStringLiteral("pdf"), QStringLiteral("html"), QStringLiteral("pdf")};
     const QString ending = endings[size_t(file)];
     QFileDialog dialog(this, tr("Export"), {}, QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -77,10 +77,12 @@ void StatisticsPanel::exportTo(File file, const std::filesystem::path& path) {
         return m_exporter->write(path, [bytes] { return bytes; });
     }
     if (!m_result) return;
-    if (file == File::Html) {
+    if (file == File::Html || file == File::Report) {
         // Render the plots here: widgets are painted on the window's thread only.
-        return m_exporter->write(path, [result = *m_result, command = measureCommand(m_result->request, m_origin),
-                                        plots = reportPlots()] { return htmlReport(result, command, plots); });
+        const ReportParts parts{measureCommand(m_result->request, m_origin), m_scenePicture(), reportPlots()};
+        if (file == File::Html) return m_exporter->write(path, [result = *m_result, parts] { return htmlReport(result, parts); });
+        // A text document is laid out on the window's thread only, too.
+        return m_exporter->write(path, [bytes = pdfReport(*m_result, parts)] { return bytes; });
     }
     m_exporter->write(path, [result = *m_result, file] {
         return QByteArray::fromStdString(file == File::Csv ? resultCsv(result) : resultJson(result));

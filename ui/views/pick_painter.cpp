@@ -138,7 +138,8 @@ QString markText(const Prediction& prediction, const NamedParts* parts, size_t p
 
 }  // namespace
 
-void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const View& viewing, const PictureLayout& layout) {
+void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const std::optional<Vec3>& before, const View& viewing,
+               const PictureLayout& layout) {
     const Projection projection(viewing, layout);
     painter.save();
     painter.setClipRect(layout.rect(), Qt::IntersectClip);
@@ -148,6 +149,9 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const V
         const QVector<QLineF> lines = boxLines(projection, opened.instanceBox(pick.object), viewing.eye());
         twice(painter, 1.0, Qt::DashLine, [&] { painter.drawLines(lines); });
     }
+    if (before)
+        if (const std::optional<QLineF> way = projection.line(*before - viewing.eye(), pick.point - viewing.eye()))
+            twice(painter, 1.0, Qt::DotLine, [&] { painter.drawLine(*way); });
     const uint64_t own = pick.triangle - opened.firstTriangle(pick.object);
     const QVector<QLineF> lines = triangleLines(projection, InstanceFromEye(opened, pick.object, viewing.eye()).corners(own));
     QPolygonF extent;

@@ -9,7 +9,9 @@ namespace cullscope::ui {
 
 /// Marks the pick over a picture: the outline of the triangle, a ring around a triangle too small to be seen, and the box of the
 /// object if the scene has several. Drawn on top of the picture, so that hidden and culled objects are marked too.
-void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const View& viewing, const PictureLayout& layout);
+/// `before`: the point from which a dashed line measures the distance; none: there is no line.
+void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const std::optional<Vec3>& before, const View& viewing,
+               const PictureLayout& layout);
 
 /// Marks the subject in hand of a stepped view: its boxes, triangles and lines, and with dashes what it is compared with; its
 /// rectangle of the picture where the picture is the culling view's (`ownPicture`), elsewhere what the culling eye sees through

@@ -249,7 +249,8 @@ void SceneView::paintEvent(QPaintEvent*) {
     paintStep(painter, layout);
     if (const OpenedScenePointer& opened = m_session.opened();
         shown && opened && m_session.pick() && !m_session.question() && !shown->request.look.inPlace())
-        paintPick(painter, *opened->scene, *m_session.pick(), View(shown->request.viewing, shown->request.size), layout);
+        paintPick(painter, *opened->scene, *m_session.pick(), m_session.pointBefore(),
+                  View(shown->request.viewing, shown->request.size), layout);
     if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
     if (m_region) paintRegion(painter, *m_region, layout);
 }

@@ -2,11 +2,10 @@
 
 #include <QMouseEvent>
 #include <QPainter>
-#include <QTextLayout>
-#include <QToolTip>
 
 #include "core/visibility/registry.h"
 #include "ui/look/promise_marker.h"
+#include "ui/look/wrapped_tips.h"
 #include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -20,26 +19,7 @@ constexpr int kShortMargin = 4;
 constexpr int kMarkerSize = 11;
 constexpr int kFontPixels = 14;
 
-constexpr int kTipWidth = 70;  // in the tip's font, in letters x
-
 constexpr const char* kJoint = " · ";  // between the role and the strategy's name
-
-/// Paragraphs in the lines of a tool tip, which are not broken by themselves where the text is plain.
-QString brokenInLines(const QStringList& paragraphs) {
-    const QFont font = QToolTip::font();
-    const double width = kTipWidth * QFontMetricsF(font).horizontalAdvance(QLatin1Char('x'));
-    QStringList lines;
-    for (const QString& paragraph : paragraphs.join(QLatin1Char('\n')).split(QLatin1Char('\n'))) {
-        QTextLayout layout(paragraph, font);
-        layout.beginLayout();
-        for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-            line.setLineWidth(width);
-            lines << paragraph.mid(line.textStart(), line.textLength()).trimmed();
-        }
-        layout.endLayout();
-    }
-    return lines.join(QLatin1Char('\n'));
-}
 
 /// A grey with a contrast of at least 4.5 to the background, in both palettes.
 QColor subdued(const QPalette& palette) {
@@ -150,7 +130,7 @@ void ViewHeader::refresh() {
     if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
     const QString details = metricsDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
     if (!details.isEmpty() && !m_session.question()) lines << details;
-    setToolTip(brokenInLines(lines));
+    setToolTip(wrappedTip(lines.join(QLatin1Char('\n'))));
     setAccessibleName(
         tr("View %1: %2, %3", "letter, strategy and promise, figures").arg(viewLetter(m_view), firstLine(), secondLine()));
     update();

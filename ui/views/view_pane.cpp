@@ -90,6 +90,7 @@ QString ViewPane::chipText() const {
                      .arg(setup.size->width)
                      .arg(setup.size->height)
                      .arg(QLocale().toString(100.0 * scale, 'f', 0));
+    if (setup.look.has(Show::Kind::Wireframe) && !setup.look.inPlace()) parts << tr("wireframe; figures of the filled picture");
     if (setup.upload == Upload::VertexArray) parts << tr("vertex arrays");
     const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
     if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);
@@ -122,7 +123,15 @@ void ViewPane::refreshChip() {
     const int room = m_picture->width() - 2 * kChipInset;
     m_chip->setWordWrap(m_chip->sizeHint().width() > room);
     m_chip->resize(m_chip->wordWrap() ? QSize(room, m_chip->heightForWidth(room)) : m_chip->sizeHint());
-    m_chip->move(kChipInset, kChipInset);
+    m_chip->move(chipPlace());
+}
+
+/// Beside the picture where a letterboxed one leaves room for the chip, else in its upper left corner.
+QPoint ViewPane::chipPlace() const {
+    const QRect shown = m_picture->pictureLayout().rect().toAlignedRect();
+    const int below = m_picture->height() - shown.bottom() - 1;
+    if (below >= m_chip->height()) return {kChipInset, m_picture->height() - m_chip->height()};
+    return {kChipInset, kChipInset};
 }
 
 void ViewPane::retranslate() {

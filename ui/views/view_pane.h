@@ -50,6 +50,7 @@ private:
     void arrange();
     void refresh();
     void refreshChip();
+    [[nodiscard]] QPoint chipPlace() const;
     void retranslate();
     [[nodiscard]] QStringList lensParts() const;
     /// The differences between the visible set and that of the compared view; empty: no view is compared, or the sets are not

@@ -2,6 +2,7 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 
 #include "core/mesh/load.h"
 #include "core/scene/polygon_scene.h"
@@ -45,9 +46,7 @@ void DocumentCommands::wire() {
     connect(m_actions.screenshotBare, &QAction::triggered, this, [this] { m_screenshots->take(false); });
     connect(m_screenshots, &ScreenshotTaker::failed, this,
             [this](const Message& message) { m_session.raise(Severity::Error, message); });
-    connect(m_screenshots, &ScreenshotTaker::done, this, [this](const QString& path) {
-        m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
-    });
+    connect(m_screenshots, &ScreenshotTaker::done, this, [this](const QString& path) { m_session.tellSaved(path); });
     const auto enable = [this] {
         for (QAction* action : {m_actions.saveSession, m_actions.saveSessionAs, m_actions.screenshot, m_actions.screenshotNow,
                                 m_actions.screenshotBare})
@@ -79,10 +78,15 @@ QString DocumentCommands::fileTypes() {
         names << QString::fromLatin1(extension);
         patterns << pattern(names.back());
     }
-    const QString session = QString::fromLatin1(kSessionExtension);
-    return QStringLiteral("%1 (%2);;%3 (%4);;%5 (*.png *.jpg *.tif *.exr);;%6 (*)")
-        .arg(tr("Meshes (%1)").arg(names.join(QStringLiteral(", "))), patterns.join(QLatin1Char(' ')), tr("Sessions"),
-             pattern(session), tr("Pictures that Cullscope took"), tr("All files"));
+    QStringList pictures;
+    for (const QString& extension : SessionOpener::pictureExtensions()) pictures << pattern(extension);
+    const QString models = patterns.join(QLatin1Char(' ')), sessions = pattern(QString::fromLatin1(kSessionExtension));
+    const QString taken = pictures.join(QLatin1Char(' '));
+    // All in one first, so that a session is found without choosing what is looked for.
+    return QStringLiteral("%1 (%2 %3 %4);;%5 (%2);;%6 (%3);;%7 (%4);;%8 (*)")
+        .arg(tr("Models, sessions and pictures"), models, sessions, taken,
+             tr("Meshes (%1)").arg(names.join(QStringLiteral(", "))), tr("Sessions"), tr("Pictures that Cullscope took"),
+             tr("All files"));
 }
 
 void DocumentCommands::openByDialog() {
@@ -106,6 +110,7 @@ void DocumentCommands::save(bool askWhere) {
     if (!m_opener->save(file, m_arrangement())) return;
     m_file = file;
     m_recent.add(file);
+    m_session.tellSaved(file);
 }
 
 void DocumentCommands::fillRecent() {
@@ -123,11 +128,20 @@ void DocumentCommands::fillRecent() {
 void DocumentCommands::fillBookmarks() {
     QMenu& menu = *m_actions.bookmarks;
     menu.clear();
+    QMenu* names = new QMenu(tr("Name a camera"), &menu);
     for (int place = 0; place < CameraBookmarks::kCount; ++place) {
+        const std::optional<CameraBookmark>& bookmark = m_bookmarks.places()[size_t(place)];
+        const QString name = bookmark ? QString::fromStdString(bookmark->name) : QString();
+        QString shown = name;
+        shown.replace(QLatin1Char('&'), QStringLiteral("&&"));
         QAction* recall =
-            menu.addAction(tr("Go to camera %1").arg(place + 1), this, [this, place] { m_bookmarks.recall(place, m_session); });
+            menu.addAction(name.isEmpty() ? tr("Go to camera %1").arg(place + 1)
+                                          : tr("Go to camera %1: %2", "its number, its name").arg(place + 1).arg(shown),
+                           this, [this, place] { m_bookmarks.recall(place, m_session); });
         recall->setShortcut(QKeySequence(int(Qt::ALT) | (Qt::Key_1 + place)));
-        recall->setEnabled(m_bookmarks.places()[size_t(place)].has_value() && m_session.opened());
+        recall->setEnabled(bookmark && m_session.opened());
+        names->addAction(tr("Camera %1…").arg(place + 1), this, [this, place] { nameBookmark(place); })
+            ->setEnabled(bookmark.has_value());
     }
     menu.addSeparator();
     for (int place = 0; place < CameraBookmarks::kCount; ++place) {
@@ -136,6 +150,17 @@ void DocumentCommands::fillBookmarks() {
         store->setShortcut(QKeySequence(int(Qt::ALT) | int(Qt::SHIFT) | (Qt::Key_1 + place)));
         store->setEnabled(m_session.opened() != nullptr);
     }
+    menu.addSeparator();
+    menu.addMenu(names);
+}
+
+void DocumentCommands::nameBookmark(int place) {
+    const std::optional<CameraBookmark> bookmark = m_bookmarks.places()[size_t(place)];
+    if (!bookmark) return;
+    bool named = false;
+    const QString name = QInputDialog::getText(m_window, tr("Name a camera"), tr("Name of camera %1").arg(place + 1),
+                                               QLineEdit::Normal, QString::fromStdString(bookmark->name), &named);
+    if (named) m_bookmarks.name(place, name.trimmed().toStdString());
 }
 
 void DocumentCommands::retranslate() {

@@ -6,6 +6,12 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+constexpr size_t kMostRemembered = 50;  // experiments
+
+}  // namespace
+
 Experiments::Experiments(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_runner(new SceneExperiment(session.gpu(), session.structures(), this)) {
     wire();
@@ -38,14 +44,17 @@ StatisticsPanel* Experiments::makePanel(QWidget* parent) {
     connect(panel, &StatisticsPanel::cancelRequested, m_runner, &SceneExperiment::cancel);
     connect(panel, &StatisticsPanel::poseChosen, this, &Experiments::goToPose);
     connect(panel, &StatisticsPanel::failed, this, [this](const Message& message) { m_session.raise(Severity::Error, message); });
-    connect(panel, &StatisticsPanel::exported, this, [this](const QString& path) {
-        m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
-    });
+    connect(panel, &StatisticsPanel::exported, this, [this](const QString& path) { m_session.tellSaved(path); });
     panel->setSoftwareOpenGl(m_session.gpu() && m_session.gpu()->info().software);
+    panel->setScenePicture([this] {
+        const ViewPicturePointer shown = m_session.picture(m_session.activeView());
+        return shown ? shown->colour : QImage();
+    });
     panel->setRecordedPath(m_recorded);
     if (m_session.opened()) showScene(*panel);
     showLive(*panel);
     panel->setRunning(m_running);
+    panel->setHistory(m_history);
     if (m_result) panel->setResult(m_table, *m_result);
     return panel;
 }
@@ -103,8 +112,18 @@ std::vector<StrategyRequest> Experiments::shownStrategies() const {
     return shown;
 }
 
+void Experiments::remember() {
+    if (!m_result || m_result->runs.empty() || m_result->runs.front().frames.empty()) return;
+    const QString scene = QString::fromStdString(m_result->request.scene->name());
+    m_history.push_back(
+        {scene, StatisticsPanel::pathAndSize(m_result->request), QDateTime::currentDateTime(), resultRows(m_table)});
+    if (m_history.size() > kMostRemembered) m_history.erase(m_history.begin());
+    for (StatisticsPanel* panel : m_panels) panel->setHistory(m_history);
+}
+
 void Experiments::end() {
     m_running = false;
+    remember();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(false);
     m_session.setMeasuring(true);
 }

@@ -30,6 +30,8 @@ private:
     /// The strategies of the shown views, each once.
     [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
+    /// Keeps the figures of what was measured, to be compared with later experiments.
+    void remember();
     void show(const ResultTable& table, const MeasureResult& result);
     void goToPose(int pose);
     void showLive(StatisticsPanel& panel) const;
@@ -41,6 +43,7 @@ private:
     std::optional<CameraPath> m_recorded;
     std::optional<MeasureResult> m_result;  ///< the newest one, partial or complete
     ResultTable m_table;                    ///< of that result
+    std::vector<PastExperiment> m_history;  ///< since the program began, the newest last
     bool m_running = false;
 };
 

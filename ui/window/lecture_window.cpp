@@ -65,7 +65,7 @@ LectureWindow::LectureWindow(Session& session, ViewGrid& views, StructurePanel* 
       m_sentence(new QLabel(this)),
       m_stepSentence(new QLabel(this)),
       m_structure(structure),
-      m_legend(new LectureLegend(session, this)),
+      m_legend(new LegendStrip(session, this)),
       m_foot(new QWidget(this)),
       m_back(new QPushButton(m_foot)),
       m_next(new QPushButton(m_foot)),

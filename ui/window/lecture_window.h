@@ -10,7 +10,7 @@
 #include "ui/session/stepper.h"
 #include "ui/text/language.h"
 #include "ui/views/view_grid.h"
-#include "ui/window/lecture_legend.h"
+#include "ui/window/legend_strip.h"
 #include "ui/window/pointer_spot.h"
 
 namespace cullscope::ui {
@@ -43,7 +43,7 @@ public:
     /// Whether the figures are shown.
     [[nodiscard]] bool revealed() const { return m_revealed; }
     [[nodiscard]] QString sentence() const { return m_sentence->text(); }
-    [[nodiscard]] LectureLegend& legend() { return *m_legend; }
+    [[nodiscard]] LegendStrip& legend() { return *m_legend; }
     [[nodiscard]] StructurePanel& structure() { return *m_structure; }
     [[nodiscard]] PointerSpot& spot() { return *m_spot; }
 
@@ -88,7 +88,7 @@ private:
     std::vector<ViewPane*> m_panes;
     QLabel *m_title, *m_place, *m_sentence, *m_stepSentence;
     StructurePanel* m_structure;
-    LectureLegend* m_legend;
+    LegendStrip* m_legend;
     QWidget* m_foot;
     std::array<QLabel*, 3> m_numbers{};
     QPushButton* m_ask = nullptr;  ///< in place of the figures until they are asked for

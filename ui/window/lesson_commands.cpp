@@ -36,9 +36,7 @@ void LessonCommands::wire() {
     connect(m_actions.handout, &QAction::triggered, this, &LessonCommands::makeHandout);
     connect(m_handout, &LessonHandout::failed, this,
             [this](const Message& message) { m_session.raise(Severity::Error, message); });
-    connect(m_handout, &LessonHandout::done, this, [this](const QString& file) {
-        m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {file.toStdString()}});
-    });
+    connect(m_handout, &LessonHandout::done, this, [this](const QString& file) { m_session.tellSaved(file); });
     connect(m_actions.leaveLesson, &QAction::triggered, m_player, &LessonPlayer::leave);
     connect(m_actions.lessonOn, &QAction::triggered, m_player, &LessonPlayer::forward);
     connect(m_actions.lessonBack, &QAction::triggered, m_player, &LessonPlayer::back);

@@ -75,6 +75,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     m_memory = std::make_unique<WindowMemory>(*this);
     wireCommands();
     wireSession();
+    wireLegend();
     retranslate();
     showState();
     arrange();
@@ -108,6 +109,7 @@ void MainWindow::makeCentre() {
     m_middle = new QVBoxLayout;
     m_middle->setSpacing(0);
     m_middle->addWidget(m_stack, 1);
+    m_middle->addWidget(m_colours = new LegendStrip(m_session, centre));
     m_middle->addWidget(m_stepBar);
     m_questionBar = new QuestionBar(m_session, m_steps->questions(), centre);
     m_middle->addWidget(m_questionBar);
@@ -176,18 +178,6 @@ void MainWindow::makeDocks() {
     m_floatingDocks->add(*m_statistics, [](const QRect& views) { return views.adjusted(0, views.height() / 2, 0, 0); });
     connect(m_dock, &QDockWidget::visibilityChanged, this, &MainWindow::showRightRail);
 }
-
-void MainWindow::addRailButton(QAction* action) {
-    auto* button = new QToolButton(m_rightRail);
-    button->setDefaultAction(action);
-    button->setAutoRaise(true);
-    button->setIconSize({24, 24});
-    button->setFixedSize(SidePanel::kRailWidth - 4, SidePanel::kRailWidth - 4);
-    auto* rail = qobject_cast<QVBoxLayout*>(m_rightRail->layout());
-    rail->insertWidget(rail->count() - 1, button);
-}
-
-void MainWindow::showRightRail() { m_rightRail->setVisible(m_floatingDocks->floating() || !m_dock->isVisibleTo(this)); }
 
 void MainWindow::makeStatusBar() {
     m_loading = new LoadingStrip(m_session.loader(), this);
@@ -265,6 +255,7 @@ void MainWindow::wireSession() {
     });
     connect(m_legend, &LegendPanel::lessonRequested, this, [this] { m_lessons->player().begin(LessonPlayer::known().front()); });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
+    connect(&m_session, &Session::fileSaved, m_message, &MessageBar::confirmSaved);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }
 

@@ -26,6 +26,7 @@
 #include "ui/window/document_commands.h"
 #include "ui/window/floating_docks.h"
 #include "ui/window/lecture_window.h"
+#include "ui/window/legend_strip.h"
 #include "ui/window/lesson_commands.h"
 #include "ui/window/paper_commands.h"
 #include "ui/window/path_commands.h"
@@ -60,6 +61,8 @@ public:
     [[nodiscard]] MessageBar& message() { return *m_message; }
     [[nodiscard]] StrategyPanel& strategyPanel() { return *m_strategy; }
     [[nodiscard]] LegendPanel& legend() { return *m_legend; }
+    /// The row below the views that explains colours where the legend is folded away.
+    [[nodiscard]] LegendStrip& legendStrip() { return *m_colours; }
     [[nodiscard]] MetricsPanel& figures() { return *m_figures; }
     /// The lecture's window; null: no lecture is running.
     [[nodiscard]] LectureWindow* lecture() { return m_lecture; }
@@ -107,6 +110,8 @@ private:
     /// rails, from which they open over the views.
     void arrange();
     void showRightRail();
+    void wireLegend();
+    void explainColours();
     void resetLayout();
     /// The id of the window's arrangement, as stored in sessions and settings.
     [[nodiscard]] QString arrangement() const;
@@ -137,6 +142,7 @@ private:
     QWidget* m_answers;  ///< what a question hides
     SidePanel* m_side;
     LectureWindow* m_lecture = nullptr;
+    LegendStrip* m_colours;  ///< explains colours where the panel "Inside" does not
     QWidget* m_rightRail;
     QDockWidget* m_dock;
     QScrollArea* m_dockScroll;

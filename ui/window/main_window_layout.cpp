@@ -1,21 +1,63 @@
 // The arrangements of the main window: docks and side panel by its width and the number of views, and what is kept of them.
 #include "ui/window/main_window.h"
 
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
 namespace cullscope::ui {
 
 namespace {
 
 constexpr int kWideDockWidth = 480;
-constexpr int kWideWindow = 1600;  // from this width on the side panel fits beside the views
+constexpr int kLegendLetters = 13;  // pixels
+constexpr int kWideWindow = 1600;   // from this width on the side panel fits beside the views
 constexpr const char* kExploreArrangement = "explore";
 constexpr const char* kCompareArrangement = "compare";
 
 }  // namespace
 
+void MainWindow::addRailButton(QAction* action) {
+    auto* button = new QToolButton(m_rightRail);
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setIconSize({24, 24});
+    button->setFixedSize(SidePanel::kRailWidth - 4, SidePanel::kRailWidth - 4);
+    auto* rail = qobject_cast<QVBoxLayout*>(m_rightRail->layout());
+    rail->insertWidget(rail->count() - 1, button);
+}
+
+void MainWindow::showRightRail() {
+    const bool folded = m_floatingDocks->floating() || !m_dock->isVisibleTo(this);
+    m_rightRail->setVisible(folded);
+    explainColours();
+}
+
+void MainWindow::wireLegend() {
+    m_colours->layout()->setContentsMargins(10, 3, 10, 3);
+    for (const auto signal : {&Session::sceneChanged, &Session::viewCountChanged, &Session::activeViewChanged,
+                              &Session::questionChanged, &Session::stepChanged})
+        connect(&m_session, signal, this, &MainWindow::explainColours);
+    connect(&m_session, &Session::setupChanged, this, &MainWindow::explainColours);
+    // Queued: a layout must not change another one while it is made.
+    connect(m_dockScroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, &MainWindow::explainColours,
+            Qt::QueuedConnection);
+    connect(&m_language, &Language::changed, this, &MainWindow::explainColours);
+}
+
+/// Where the panel "Inside" with its legend is folded, floats, or is too low to show all of it, a row below the views explains
+/// their colours.
+void MainWindow::explainColours() {
+    const bool folded =
+        m_floatingDocks->floating() || !m_dock->isVisibleTo(this) || m_dockScroll->verticalScrollBar()->maximum() > 0;
+    m_colours->explain(m_session.shownViews(), kLegendLetters, true);
+    m_colours->setVisible(folded && !m_lecture && m_session.opened() && !m_colours->empty());
+}
+
 void MainWindow::arrange() {
     const bool compare = m_session.viewCount() > 2;
     const bool wide = width() >= kWideWindow;
-    m_side->setDocked(wide && !compare);
     const bool otherWidth = std::exchange(m_arrangedWide, wide) != wide;
     const bool otherArrangement = std::exchange(m_arrangedCompare, compare) != compare;
     if (!otherWidth && !otherArrangement) return;

@@ -65,7 +65,7 @@ void PathCommands::save() {
         m_session.raise(Severity::Error, error.message());
         return;
     }
-    m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {file.toStdString()}});
+    m_session.tellSaved(file);
 }
 
 void PathCommands::open() {

@@ -42,8 +42,6 @@ SidePanel::SidePanel(QWidget* parent)
     m_frame->setFrameShape(QFrame::StyledPanel);
     m_frame->setAutoFillBackground(true);
     m_frame->hide();
-    // The frame floats over the parent and follows its size.
-    if (parent) parent->installEventFilter(this);
     m_frame->installEventFilter(this);
     arrange();
 }
@@ -70,12 +68,6 @@ void SidePanel::setPageTitle(int page, const QString& title) {
     if (page == m_open) m_title->setText(title);
 }
 
-void SidePanel::setDocked(bool docked) {
-    if (docked == m_docked) return;
-    m_docked = docked;
-    arrange();
-}
-
 void SidePanel::setOpenPage(int page) {
     for (size_t i = 0; i < m_buttons.size(); ++i) m_buttons[i]->setChecked(int(i) == page);
     if (page == m_open) return;
@@ -85,26 +77,20 @@ void SidePanel::setOpenPage(int page) {
         m_title->setText(button(page).toolTip());
     }
     arrange();
-    if (page >= 0 && !m_docked) m_pages->currentWidget()->setFocus(Qt::OtherFocusReason);
+    if (page >= 0 && isVisible()) m_pages->currentWidget()->setFocus(Qt::OtherFocusReason);
 }
 
 void SidePanel::arrange() {
     const bool open = m_open >= 0;
-    QWidget* owner = m_docked || !parentWidget() ? this : parentWidget();
-    if (m_frame->parentWidget() != owner) m_frame->setParent(owner);
-    setFixedWidth(kRailWidth + (m_docked && open ? kPageWidth : 0));
+    setFixedWidth(kRailWidth + (open ? kPageWidth : 0));
     m_rail->setGeometry(0, 0, kRailWidth, height());
-    const QPoint corner = owner == this ? QPoint(kRailWidth, 0) : geometry().topLeft() + QPoint(kRailWidth, 0);
-    m_frame->setGeometry(QRect(corner, QSize(kPageWidth, height())));
+    m_frame->setGeometry(kRailWidth, 0, kPageWidth, height());
     m_frame->setVisible(open);
-    if (open) m_frame->raise();
 }
 
+/// Escape closes the page, and the keyboard's focus returns to its button.
 bool SidePanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parentWidget() && event->type() == QEvent::Resize)
-        QMetaObject::invokeMethod(this, &SidePanel::arrange, Qt::QueuedConnection);
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && watched == m_frame &&
-        !m_docked) {
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && watched == m_frame) {
         button(std::max(0, m_open)).setFocus();
         setOpenPage(-1);
         return true;
@@ -115,7 +101,7 @@ bool SidePanel::eventFilter(QObject* watched, QEvent* event) {
 void SidePanel::resizeEvent(QResizeEvent*) { arrange(); }
 
 void SidePanel::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && m_open >= 0 && !m_docked)
+    if (event->key() == Qt::Key_Escape && m_open >= 0)
         setOpenPage(-1);
     else
         QWidget::keyPressEvent(event);

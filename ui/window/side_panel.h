@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// A rail of buttons at the window's left edge, and beside it the page of the pressed button: docked if there is room, else
-/// floating over the middle of the window.
+/// A rail of buttons at the window's left edge, and beside it the page of the pressed button. Covers nothing: what lies beside it
+/// gets narrower.
 class SidePanel : public QWidget {
     Q_OBJECT
 
@@ -18,7 +18,6 @@ public:
     static constexpr int kRailWidth = 40;
     static constexpr int kPageWidth = 280;
 
-    /// Pages that are not docked float over `parent`.
     explicit SidePanel(QWidget* parent = nullptr);
 
     /// `icon` is a name in resources/icons.
@@ -27,8 +26,6 @@ public:
     void addAction(QAction* action);
     void setPageTitle(int page, const QString& title);
 
-    void setDocked(bool docked);
-    [[nodiscard]] bool docked() const { return m_docked; }
     /// The number of the open page; -1: none is open.
     [[nodiscard]] int openPage() const { return m_open; }
     void setOpenPage(int page);
@@ -47,7 +44,6 @@ private:
     QLabel* m_title;
     QStackedWidget* m_pages;
     std::vector<QToolButton*> m_buttons;
-    bool m_docked = false;
     int m_open = -1;
 };
 

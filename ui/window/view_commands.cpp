@@ -3,9 +3,12 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/dialogs/size_dialog.h"
 #include "ui/session/cullbench_command.h"
+#include "ui/session/named_views.h"
+#include "ui/session/object_pick.h"
 #include "ui/window/placed_panels.h"
 
 namespace cullscope::ui {
@@ -13,6 +16,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr const char* kAxesSetting = "axes";
+constexpr int kWidestName = 240;  // pixels, of an object in a menu
 
 }  // namespace
 
@@ -38,6 +42,11 @@ void ViewCommands::edit(const std::function<void(ViewSetup&)>& change) {
 void ViewCommands::wire() {
     connect(m_actions.freeze, &QAction::triggered, this, [this](bool on) { m_session.setFrozen(m_session.activeView(), on); });
     connect(m_actions.watch, &QAction::triggered, this, &ViewCommands::watch);
+    connect(&m_actions, &WindowActions::namedViewChosen, this,
+            [this](int index) { lookFrom(m_session, namedViews()[size_t(index)]); });
+    connect(m_actions.almostParallel, &QAction::triggered, this, [this](bool on) { setAlmostParallel(m_session, on); });
+    connect(&m_session, &Session::cameraChanged, this,
+            [this] { m_actions.almostParallel->setChecked(isAlmostParallel(m_session.viewingCamera(m_session.activeView()))); });
     for (const auto& [show, action] : m_actions.shows)
         connect(action, &QAction::triggered, this,
                 [this, show = show](bool on) { edit([&](ViewSetup& setup) { setup.look.showWithAll(*show, on); }); });
@@ -95,6 +104,8 @@ void ViewCommands::refresh() {
     const bool scene = m_session.opened() != nullptr;
     const bool model = scene && setup.look.inPlace();
     m_actions.setPictureUsable(scene, model);
+    for (QAction* action : {m_actions.almostParallel, m_actions.lookFrom->menuAction()}) action->setEnabled(scene);
+    m_actions.almostParallel->setChecked(scene && isAlmostParallel(m_session.viewingCamera(view)));
     m_actions.freeze->setChecked(setup.role == Role::Frozen);
     m_actions.watch->setChecked(scene && watcher().has_value());
     for (const auto& [show, action] : m_actions.shows) action->setChecked(setup.look.has(*show));
@@ -116,7 +127,7 @@ void ViewCommands::askForSize(int view) {
 
 void ViewCommands::fillMenu(QMenu& menu, int view) {
     ViewPane& pane = m_views.pane(view);
-    ViewMenu filler(m_session, pane, menu);
+    ViewMenu filler(m_session, pane, m_actions, menu);
     filler.addStrategies();
     filler.addCameras();
     filler.addLook();
@@ -135,12 +146,39 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
     menu.addActions({m_actions.home, m_actions.frame});
 }
 
+void ViewCommands::addObject(QMenu& menu, uint32_t object) {
+    QString name = QString::fromStdString(m_session.opened()->scene->instances()[object].name);
+    // An ampersand in a menu marks a key, and a tab begins a shortcut.
+    name.replace(QLatin1Char('&'), QStringLiteral("&&")).replace(QLatin1Char('\t'), QLatin1Char(' '));
+    const QString shortName = menu.fontMetrics().elidedText(name, Qt::ElideMiddle, kWidestName);
+    QMenu* of = menu.addMenu(tr("Object %1", "its name").arg(shortName));
+    of->addAction(tr("Why"), this, [this, object] {
+        pickLoss(m_session, object);
+        emit m_session.pickedInPicture(m_session.activeView());
+    });
+    of->addAction(tr("Frame"), this, [this, object] { frameObject(m_session, object); });
+    of->addSeparator();
+    of->addAction(tr("Hide"), this, [this, object] { setObjectsHidden(m_session, {object}, true); });
+    of->addAction(tr("Isolate"), this, [this, object] { isolateObjects(m_session, {object}); });
+}
+
+void ViewCommands::addObjects(QMenu& menu, int view, const QPoint& position) {
+    const SceneView& picture = m_views.pane(view).picture();
+    const Vec2 pixel = picture.pixelAt(picture.mapFromGlobal(position));
+    const auto object = m_session.objectAt(view, int(std::floor(pixel.x)), int(std::floor(pixel.y)));
+    if (object) addObject(menu, *object);
+    const bool hidden = std::ranges::count(m_session.hidden(), true) > 0;
+    if (hidden) menu.addAction(tr("Show all hidden objects"), this, [this] { showAllObjects(m_session); });
+    if (object || hidden) menu.addSeparator();
+}
+
 void ViewCommands::showMenuOf(int view, const QPoint& position) {
     if (!m_session.opened()) return;
     // When the menu closes, keys go to the view whose menu it was.
     m_views.pane(view).picture().setFocus();
     m_session.setActiveView(view);
     QMenu menu(m_window);
+    addObjects(menu, view, position);
     fillMenu(menu, view);
     menu.exec(position);
 }

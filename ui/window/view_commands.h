@@ -18,12 +18,15 @@ public:
     ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, ScreenshotTaker& screenshots, QWidget* window);
 
     void fillMenu(QMenu& menu, int view);
+    /// Adds what can be done with the object that a view shows at a place of the screen, and with hidden ones.
+    void addObjects(QMenu& menu, int view, const QPoint& position);
     void showMenuOf(int view, const QPoint& position);
     /// Copies the picture of a view to the clipboard; `overlays`: with its overlays.
     void copyPicture(int view, bool overlays);
 
 private:
     void refresh();
+    void addObject(QMenu& menu, uint32_t object);
     /// Changes the active view's setup.
     void edit(const std::function<void(ViewSetup&)>& change);
     void askForSize(int view);

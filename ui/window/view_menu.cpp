@@ -1,8 +1,9 @@
 #include "ui/window/view_menu.h"
 
+#include <QActionGroup>
 #include <numeric>
 
-#include "core/visibility/registry.h"
+#include "core/visibility/built_strategy.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/window/window_actions.h"
@@ -21,8 +22,16 @@ QAction* ViewMenu::option(QMenu& menu, const QString& text, bool checked, std::f
     QAction* action = menu.addAction(text);
     action->setCheckable(true);
     action->setChecked(checked);
+    if (auto* exclusive = menu.findChild<QActionGroup*>(QString(), Qt::FindDirectChildrenOnly)) exclusive->addAction(action);
     QObject::connect(action, &QAction::triggered, &menu, std::move(choose));
     return action;
+}
+
+QMenu* ViewMenu::addChoice(const QString& title) {
+    QMenu* menu = m_menu.addMenu(title);
+    menu->setToolTipsVisible(true);
+    new QActionGroup(menu);
+    return menu;
 }
 
 QAction* ViewMenu::change(QMenu& menu, const QString& text, bool checked, const std::function<void(ViewSetup&)>& edit) {
@@ -40,11 +49,12 @@ void ViewMenu::needsCameraPicture(QAction* action) const {
 }
 
 void ViewMenu::addStrategies() {
-    QMenu* menu = m_menu.addMenu(tr("Strategy"));
-    menu->setToolTipsVisible(true);
+    QMenu* menu = addChoice(tr("Strategy"));
     const int culling = m_session.culledBy(view());
     for (const RegisteredStrategy& strategy : strategies()) {
-        QAction* action = option(*menu, translated(strategy.info.name), strategy.info.id == m_session.slot(culling).id(),
+        // Right of the tab stands what menus show as shortcuts.
+        const QString text = translated(strategy.info.name) + QLatin1Char('\t') + promiseWord(usualPromise(strategy.info.id));
+        QAction* action = option(*menu, text, strategy.info.id == m_session.slot(culling).id(),
                                  [session = &m_session, culling, id = strategy.info.id] { session->slot(culling).choose(id); });
         const std::optional<Message> why = m_session.unavailable(strategy.info);
         action->setEnabled(!why);
@@ -53,12 +63,12 @@ void ViewMenu::addStrategies() {
 }
 
 void ViewMenu::addCameras() {
-    QMenu* menu = m_menu.addMenu(tr("Camera"));
+    QMenu* menu = addChoice(tr("Camera"));
     Session* session = &m_session;
     const int view = this->view();
     option(*menu, tr("Linked with the other views"), setup().role == Role::Linked, [session, view] { session->setLinked(view); });
-    QAction* freeze = option(*menu, tr("Freeze culling, fly on"), setup().role == Role::Frozen,
-                             [session, view] { session->setFrozen(view, session->setup(view).role != Role::Frozen); });
+    QAction* freeze = option(*menu, m_actions.freeze->text(), setup().role == Role::Frozen,
+                             [session, view] { session->setFrozen(view, true); });
     freeze->setShortcut(Qt::Key_F);
     menu->addSeparator();
     for (const int other : m_session.shownViews()) {
@@ -81,8 +91,8 @@ void ViewMenu::addLook() {
         // What stands in this menu alone belongs to the show before it, and can be chosen while that one is seen.
         const bool part = show->action.empty();
         const bool on = part ? look.shows(show->id) : look.has(*show);
-        QAction* action =
-            change(*menu, translated(show->title), on, [show, on](ViewSetup& setup) { setup.look.showWithAll(*show, !on); });
+        QAction* action = change(*menu, translated(part ? show->title : show->action), on,
+                                 [show, on](ViewSetup& setup) { setup.look.showWithAll(*show, !on); });
         if (!show->key.empty()) action->setShortcut(QKeySequence(QString::fromStdString(show->key)));
         if (part && show->with() && !look.has(*show->with())) action->setEnabled(false);
         if (!show->inPlace()) needsCameraPicture(action);
@@ -90,8 +100,7 @@ void ViewMenu::addLook() {
 }
 
 void ViewMenu::addComparisons() {
-    QMenu* menu = m_menu.addMenu(tr("Compare"));
-    menu->setToolTipsVisible(true);
+    QMenu* menu = addChoice(tr("Compare"));
     const Wipe& wipe = setup().wipe;
     const auto choice = [&](const QString& text, Wipe::Mode mode, int other) {
         const bool pair = mode == Wipe::Mode::OtherView || mode == Wipe::Mode::Difference;
@@ -101,8 +110,8 @@ void ViewMenu::addComparisons() {
         });
     };
     choice(tr("Nothing"), Wipe::Mode::None, wipe.other);
-    choice(tr("Wipe: truth | strategy"), Wipe::Mode::Truth, wipe.other)->setShortcut(Qt::Key_T);
-    choice(tr("Missed and added pixels"), Wipe::Mode::Loss, wipe.other)->setShortcut(Qt::Key_M);
+    choice(m_actions.truth->text(), Wipe::Mode::Truth, wipe.other)->setShortcut(Qt::Key_T);
+    choice(m_actions.loss->text(), Wipe::Mode::Loss, wipe.other)->setShortcut(Qt::Key_M);
     for (const int other : m_session.shownViews()) {
         if (m_session.culledBy(other) == m_session.culledBy(view())) continue;
         menu->addSeparator();
@@ -113,7 +122,7 @@ void ViewMenu::addComparisons() {
 }
 
 void ViewMenu::addSizes(const std::function<void()>& askForSize) {
-    QMenu* menu = m_menu.addMenu(tr("Picture size"));
+    QMenu* menu = addChoice(tr("Picture size"));
     const std::optional<Viewport>& size = setup().size;
     const auto sizeAction = [&](const QString& text, const std::optional<Viewport>& wanted) {
         option(*menu, text, size == wanted,
@@ -135,8 +144,7 @@ void ViewMenu::addSizes(const std::function<void()>& askForSize) {
 }
 
 void ViewMenu::addUploads() {
-    QMenu* menu = m_menu.addMenu(tr("Vertices"));
-    menu->setToolTipsVisible(true);
+    QMenu* menu = addChoice(tr("Vertices"));
     change(*menu, tr("Buffer objects"), setup().upload == Upload::Vbo, [](ViewSetup& setup) { setup.upload = Upload::Vbo; });
     QAction* arrays = change(*menu, tr("Vertex arrays of the program's memory"), setup().upload == Upload::VertexArray,
                              [](ViewSetup& setup) { setup.upload = Upload::VertexArray; });
@@ -147,11 +155,11 @@ void ViewMenu::addUploads() {
 }
 
 void ViewMenu::addPanels(const std::vector<PlaceablePanel>& panels, const std::vector<PlaceablePanel>& below) {
-    QMenu* menu = m_menu.addMenu(tr("In this place"));
+    QMenu* menu = addChoice(tr("In this place"));
     change(*menu, tr("Picture"), setup().panel.empty(), [](ViewSetup& setup) { setup.panel.clear(); });
     for (const PlaceablePanel& panel : panels)
         change(*menu, panel.name, setup().panel == panel.id, [id = panel.id](ViewSetup& setup) { setup.panel = id; });
-    QMenu* strip = m_menu.addMenu(tr("Below the picture"));
+    QMenu* strip = addChoice(tr("Below the picture"));
     change(*strip, tr("Nothing"), setup().below.empty(), [](ViewSetup& setup) { setup.below.clear(); });
     for (const PlaceablePanel& panel : below)
         change(*strip, panel.name, setup().below == panel.id, [id = panel.id](ViewSetup& setup) { setup.below = id; });

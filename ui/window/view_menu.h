@@ -8,6 +8,8 @@
 
 namespace cullscope::ui {
 
+class WindowActions;
+
 /// A panel that can replace the picture of a view.
 struct PlaceablePanel {
     std::string id;
@@ -19,7 +21,9 @@ class ViewMenu {
     Q_DECLARE_TR_FUNCTIONS(ViewMenu)
 
 public:
-    ViewMenu(Session& session, ViewPane& pane, QMenu& menu) : m_session(session), m_pane(pane), m_menu(menu) {}
+    /// `actions`: what the menu has in common with the window's menus is called as there.
+    ViewMenu(Session& session, ViewPane& pane, const WindowActions& actions, QMenu& menu)
+        : m_session(session), m_pane(pane), m_actions(actions), m_menu(menu) {}
 
     void addStrategies();
     void addCameras();
@@ -35,12 +39,15 @@ private:
     QAction* option(QMenu& menu, const QString& text, bool checked, std::function<void()> choose);
     /// Adds an option that changes the view's setup.
     QAction* change(QMenu& menu, const QString& text, bool checked, const std::function<void(ViewSetup&)>& edit);
+    /// Adds a submenu whose options exclude each other: they are shown as radio items.
+    QMenu* addChoice(const QString& title);
 
     /// Disables an action with a reason if the view shows a model in spherical coordinates.
     void needsCameraPicture(QAction* action) const;
 
     Session& m_session;
     ViewPane& m_pane;
+    const WindowActions& m_actions;
     QMenu& m_menu;
 };
 

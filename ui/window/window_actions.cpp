@@ -7,6 +7,7 @@
 #include "core/scene/scene_source.h"
 #include "core/visibility/registry.h"
 #include "ui/look/tinted_icon.h"
+#include "ui/session/named_views.h"
 #include "ui/text/language.h"
 #include "ui/text/translated.h"
 
@@ -36,8 +37,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     upAxis = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu,
-                         &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
+    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &lookFrom, &panels, &m_fileMenu,
+                         &m_viewMenu, &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
     makeView();
@@ -78,6 +79,7 @@ void WindowActions::makeView() {
     eightViews = option(views, QStringLiteral("8"), Qt::CTRL | Qt::Key_8, QStringLiteral("eight-views"));
     home = command(Qt::Key_Home, QStringLiteral("home"));
     frame = command(Qt::Key_Period, QStringLiteral("frame"));
+    almostParallel = toggle({});
     upY = option(upAxis, QStringLiteral("y"));
     upZ = option(upAxis, QStringLiteral("z"));
     stepThrough = toggle(Qt::Key_F8, QStringLiteral("step-forward"));
@@ -104,6 +106,10 @@ void WindowActions::makePicture() {
             shows.emplace_back(show, toggle(QKeySequence(QString::fromStdString(show->key)), QString::fromStdString(show->icon)));
     truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
     loss = toggle(Qt::Key_M);
+    // One comparison at most; the chosen one can be chosen again, to end it.
+    auto* comparisons = new QActionGroup(this);
+    comparisons->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (QAction* action : {truth, loss}) comparisons->addAction(action);
     nextLoss = command(Qt::Key_N);
     loupe = toggle(Qt::Key_L);
     axes = toggle(Qt::Key_X);
@@ -175,6 +181,8 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
+    m_viewMenu->addMenu(lookFrom);
+    m_viewMenu->addAction(almostParallel);
     m_viewMenu->addMenu(bookmarks);
     m_viewMenu->addMenu(m_upMenu);
     m_upMenu->addActions(upAxis->actions());
@@ -242,10 +250,21 @@ void WindowActions::fillPaths() {
     for (const BuiltInPath& path : cullscope::builtInPaths()) {
         const QString name =
             QString::fromStdString(path.id).replace(QStringLiteral(":N"), QStringLiteral(":") + QLatin1String(kPoses));
-        QAction* action = builtInPaths->addAction(name);
+        // Its sentence in the user's language, with the number in place of N; right of the tab the name in files.
+        QString words = translated(path.description);
+        static const QRegularExpression number(QStringLiteral("\\bN\\b|N(?=[^A-Za-z])"));
+        words.replace(number, QLatin1String(kPoses));
+        QAction* action = builtInPaths->addAction(words + QLatin1Char('\t') + name);
         action->setToolTip(translated(path.description));
         connect(action, &QAction::triggered, this, [this, name] { emit builtInPathChosen(name); });
     }
+}
+
+void WindowActions::fillLookFrom() {
+    lookFrom->clear();
+    for (size_t i = 0; i < namedViews().size(); ++i)
+        connect(lookFrom->addAction(translated(namedViews()[i].name)), &QAction::triggered, this,
+                [this, i] { emit namedViewChosen(int(i)); });
 }
 
 void WindowActions::retranslate() {
@@ -265,6 +284,7 @@ void WindowActions::retranslate() {
     say(about, tr("&About Cullscope"), tr("Version and licences"));
     fillGenerate();
     fillPaths();
+    fillLookFrom();
 }
 
 QString WindowActions::modelStandsInPlace() {
@@ -308,6 +328,9 @@ void WindowActions::retranslateView() {
     m_upMenu->setTitle(tr("&Up axis"));
     m_appearanceMenu->setTitle(tr("&Appearance"));
     bookmarks->setTitle(tr("Camera &bookmarks"));
+    lookFrom->setTitle(tr("Look &from"));
+    say(almostParallel, tr("Al&most parallel"),
+        tr("A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale"));
     panels->setTitle(tr("&Panels"));
     say(oneView, tr("&1 view"), tr("Show one view"));
     say(twoViews, tr("&2 views"), tr("Show two views beside each other"));

@@ -49,6 +49,8 @@ public:
     QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
+    QMenu* lookFrom;          ///< filled from namedViews()
+    QAction* almostParallel;  ///< for the active view
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
@@ -66,6 +68,8 @@ public:
 signals:
     /// A generator of core's list was chosen.
     void generatorChosen(int index);
+    /// A view of namedViews() was chosen.
+    void namedViewChosen(int index);
     /// A built-in path was chosen: its name with a number of poses, where it takes one.
     void builtInPathChosen(const QString& name);
     void languageChosen(const QString& id);
@@ -86,6 +90,7 @@ private:
     void makeLanguages();
     void fillGenerate();
     void fillPaths();
+    void fillLookFrom();
 
     QWidget* m_window;
     bool m_modelShown = false;  ///< the active view shows a model in spherical coordinates

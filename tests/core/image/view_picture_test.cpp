@@ -95,6 +95,27 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
     }
 }
 
+TEST(ViewPicture, aWireframeHasEdgesAloneAndLeavesTheFrameAsItIs) {
+    const ScenePointer scene = copiesOf(sphereMesh(320), {Mat4(1.0)});
+    const View view(inTheField(), {320, 240});
+    const auto covered = [](const Shown& picture) {
+        return std::ranges::count_if(picture.depth, [](float depth) { return depth > 0.0f; });
+    };
+    for (const RegisteredStrategy& registered : strategies()) {
+        const char* id = registered.info.id.c_str();
+        const Shown filled = shown(scene, id, view, view, {});
+        const Shown edges = shown(scene, id, view, view, {"wireframe"});
+        EXPECT_GT(covered(edges), 200) << id;
+        EXPECT_LT(covered(edges), covered(filled)) << id << ": the surfaces between them are left out";
+        // OpenGL's state is what it was: the next picture is filled.
+        EXPECT_EQ(shown(scene, id, view, view, {}).colour, filled.colour) << id;
+    }
+    const Shown verdicts = shown(scene, "all", view, view, {"verdicts"});
+    const Shown verdictEdges = shown(scene, "all", view, view, {"verdicts", "wireframe"});
+    EXPECT_LT(covered(verdictEdges), covered(verdicts));
+    EXPECT_FALSE(needsDecisions({"wireframe"}));
+}
+
 /// Squares of 20 × 20 pixels in a row, one for each state; the centre of state i lies at (20 + 40 i, 20).
 ScenePointer rowOfSquares(const Vec3& moved = Vec3(0.0)) {
     std::vector<Mat4> places;

@@ -34,6 +34,39 @@ private:
     std::filesystem::path m_path;
 };
 
+TEST(SceneEstimate, ofEveryGeneratorIsNearWhatItMakes) {
+    for (const char* specification :
+         {"teapot:triangles=8000", "sphere:triangles=5120", "torus:triangles=20000", "bowl:triangles=20000",
+          "knot:triangles=20000", "star:triangles=5120", "layers:count=12,triangles=2000", "plant:pipelines=40",
+          "plant:pipelines=200", "field:mesh=sphere:triangles=1280,n=7",
+          "split:mesh=torus:triangles=20000,by=clusters,triangles=500", "mesh:torus:triangles=20000,triangles=4000"}) {
+        SCOPED_TRACE(specification);
+        const auto estimate = estimateScene(specification);
+        ASSERT_TRUE(estimate && estimate->triangles);
+        const ScenePointer made = openScene(specification).scene;
+        EXPECT_NEAR(*estimate->triangles / double(made->triangleCount()), 1.0, 0.3);
+        // Clusters are of the size asked for at most.
+        EXPECT_GE(double(made->instances().size()) / estimate->objects, 0.7);
+        EXPECT_LE(double(made->instances().size()) / estimate->objects, 2.5);
+        EXPECT_FALSE(estimate->large());
+    }
+}
+
+TEST(SceneEstimate, asksAboutLargeScenesAndReadsNoMesh) {
+    EXPECT_TRUE(estimateScene("sphere:triangles=1e7")->large());
+    EXPECT_TRUE(estimateScene("field:mesh=sphere:triangles=1e5,n=100")->large()) << "copies are drawn, each of them";
+    EXPECT_TRUE(estimateScene("plant:pipelines=5000")->large());
+    EXPECT_FALSE(estimateScene("sphere")->large());
+    const auto unread = estimateScene("field:mesh=/no/such/file.obj,n=10");
+    ASSERT_TRUE(unread);
+    EXPECT_FALSE(unread->triangles);
+    EXPECT_EQ(unread->objects, 100.0);
+    EXPECT_FALSE(estimateScene("/no/such/file.obj"));
+    for (const GeneratorInfo& generator : sceneGenerators()) EXPECT_TRUE(estimateScene(generator.id)) << generator.id;
+    EXPECT_NE(test::refusalOf([] { (void)estimateScene("sphere:triangles=many"); }, ErrorKind::Usage).find("triangles"),
+              std::string::npos);
+}
+
 std::string refusal(std::string_view specification, ErrorKind kind = ErrorKind::Usage) {
     return test::refusalOf([&] { (void)openScene(specification); }, kind);
 }

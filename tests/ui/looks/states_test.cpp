@@ -1,6 +1,9 @@
 // States that must look right: dark palette, other sizes and scales, statistics, a lecture, and a window before a scene is
 // opened.
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QHeaderView>
+#include <QMenu>
 #include <QProcess>
 #include <QSpinBox>
 #include <QTableView>
@@ -8,12 +11,14 @@
 
 #include "tests/ui/looks/desktop.h"
 #include "tests/ui/looks/shown_texts.h"
+#include "ui/dialogs/generate_dialog.h"
+#include "ui/dialogs/help_window.h"
 
 namespace cullscope::ui::states_test {
 namespace {
 
 constexpr int kSmallestLectureLetters = 20;  // pixels
-constexpr int kColumnWidth = 90;             // of the statistics' table in its stored picture
+constexpr int kColumnWidth = 140;            // of the statistics' table in its stored picture
 
 QStringList cut(Desktop& desktop) { return cutTexts(desktop.window); }
 
@@ -30,7 +35,7 @@ TEST(States, chineseOnASmallScreenLooksAsKeptAndCutsNoText) {
 
 TEST(States, aLargeScreenHasTheStrategyBesideTheViews) {
     Desktop desktop({.size = {1920, 1080}});
-    EXPECT_TRUE(desktop.window.side().docked());
+    EXPECT_EQ(desktop.window.side().openPage(), 0);
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("1920x1080")));
     EXPECT_EQ(cut(desktop), QStringList());
 }
@@ -118,6 +123,61 @@ TEST(States, aLectureHasNoSmallLetters) {
     EXPECT_TRUE(waitUntil([&] { return !desktop.window.lecture(); }));
     desktop.settle();
     EXPECT_TRUE(desktop.window.views().pane(0).header().isVisible()) << "the window has its view back as it was";
+}
+
+/// Saves a picture of a widget to look at, where that is asked for.
+void keepToLookAt(QWidget& widget, const QString& name) {
+    if (qEnvironmentVariableIsSet("CULLSCOPE_SAVE_LOOKS"))
+        widget.grab().save(writtenPicturesFolder() + QStringLiteral("/%1.png").arg(name));
+}
+
+TEST(States, helpMenusAndDialogsCutNoTextInAnyLanguage) {
+    for (const QString& language : {QStringLiteral("en"), QStringLiteral("ko"), QStringLiteral("zh_CN")}) {
+        SCOPED_TRACE(language.toStdString());
+        Desktop desktop({.size = {1280, 800}, .language = language, .strategies = {"spherical", "frustum"}});
+        HelpWindow help(desktop.language);
+        help.show();
+        help.search().setText(QStringLiteral("frustum"));
+        QApplication::processEvents();
+        EXPECT_EQ(cutTexts(help), QStringList());
+        keepToLookAt(help, QStringLiteral("help-") + language);
+        help.hide();
+        for (const char* id : {"field", "plant"}) {
+            GenerateDialog dialog(*std::ranges::find(sceneGenerators(), id, &GeneratorInfo::id));
+            dialog.show();
+            QApplication::processEvents();
+            EXPECT_EQ(cutTexts(dialog), QStringList()) << id;
+            keepToLookAt(dialog, QStringLiteral("generate-%1-%2").arg(QLatin1String(id), language));
+        }
+        desktop.window.side().setOpenPage(0);
+        desktop.settle();
+        EXPECT_EQ(cut(desktop), QStringList());
+        QComboBox& choice = desktop.window.strategyPanel().choice();
+        choice.showPopup();
+        QApplication::processEvents();
+        // The list is as wide as its three columns.
+        const QAbstractItemView& list = *choice.view();
+        EXPECT_GE(list.viewport()->width(), list.sizeHintForColumn(0));
+        keepToLookAt(*choice.view()->window(), QStringLiteral("strategies-") + language);
+        choice.hidePopup();
+        keepToLookAt(desktop.window, QStringLiteral("rail-") + language);
+        QMenu menu;
+        ViewPane& pane = desktop.window.views().pane(0);
+        ViewMenu filler(desktop.session, pane, desktop.window.actions(), menu);
+        filler.addStrategies();
+        filler.addLook();
+        filler.addComparisons();
+        for (QMenu* part : menu.findChildren<QMenu*>()) {
+            part->ensurePolished();
+            part->resize(part->sizeHint());
+            keepToLookAt(*part, QStringLiteral("menu-%1-%2").arg(menu.findChildren<QMenu*>().indexOf(part)).arg(language));
+        }
+        keepToLookAt(*desktop.window.actions().builtInPaths, QStringLiteral("paths-") + language);
+        // A closed view in wireframe, with its chip.
+        desktop.window.actions().show("wireframe")->trigger();
+        desktop.settle();
+        keepToLookAt(desktop.window, QStringLiteral("wireframe-") + language);
+    }
 }
 
 /// A program that runs on a screen scaled by a factor, beside others.

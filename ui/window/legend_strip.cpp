@@ -1,4 +1,4 @@
-#include "ui/window/lecture_legend.h"
+#include "ui/window/legend_strip.h"
 
 #include <QLabel>
 #include <QPainter>
@@ -14,6 +14,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kLegendGap = 18;
+constexpr int kLeastSwatch = 12;  // pixels
 
 /// A rectangle in the colour that is explained.
 class LegendSwatch : public QWidget {
@@ -40,12 +41,15 @@ private:
 
 }  // namespace
 
-LectureLegend::LectureLegend(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
+LegendStrip::LegendStrip(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
     new FlowLayout(this, kLegendGap);
 }
 
-std::vector<LectureLegend::Entry> LectureLegend::entriesOf(const std::vector<int>& views) const {
+std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& views, bool bars) const {
     std::array<bool, kTriangleStateCount> states{};
+    // All that a bar may have, so that the row keeps its height while the views move.
+    if (bars && !m_session.question()) states.fill(true);
+    states[size_t(TriangleState::Undecided)] = false;
     bool planes = false, marks = false, differences = false;
     for (const int view : views) {
         const ViewSetup& setup = m_session.setup(view);
@@ -53,9 +57,9 @@ std::vector<LectureLegend::Entry> LectureLegend::entriesOf(const std::vector<int
         marks = marks || setup.wipe.mode == Wipe::Mode::Loss;
         differences = differences || setup.wipe.mode == Wipe::Mode::Difference;
         planes = planes || (setup.look.has(Show::Kind::Planes) && setup.look.has(Show::Kind::Boxes));
-        if (!setup.look.has(Show::Kind::Verdicts)) continue;
         const ViewMetrics& figures = m_session.figures(view);
         const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
+        if (!setup.look.has(Show::Kind::Verdicts)) continue;
         for (const Show::Kind kind : {Show::Kind::Verdicts, Show::Kind::Left})
             for (const TriangleState state : commonShow(kind).legend)
                 if (setup.look.has(kind) && (!known || figures.states->counts[size_t(state)] > 0)) states[size_t(state)] = true;
@@ -75,8 +79,8 @@ std::vector<LectureLegend::Entry> LectureLegend::entriesOf(const std::vector<int
     return entries;
 }
 
-void LectureLegend::explain(const std::vector<int>& views, int letters) {
-    std::vector<Entry> entries = entriesOf(views);
+void LegendStrip::explain(const std::vector<int>& views, int letters, bool bars) {
+    std::vector<Entry> entries = entriesOf(views, bars);
     if (entries == m_entries && letters == m_letters) return;
     m_entries = std::move(entries);
     m_letters = letters;
@@ -88,7 +92,7 @@ void LectureLegend::explain(const std::vector<int>& views, int letters) {
         auto* row = new QHBoxLayout(item);
         row->setContentsMargins(0, 0, 0, 0);
         row->setSpacing(letters / 3);
-        row->addWidget(new LegendSwatch(entry.state, entry.colour, letters * 3 / 4, item));
+        row->addWidget(new LegendSwatch(entry.state, entry.colour, std::max(kLeastSwatch, letters * 3 / 4), item));
         auto* words = new QLabel(entry.words, item);
         words->setFont(font);
         row->addWidget(words);
@@ -98,7 +102,7 @@ void LectureLegend::explain(const std::vector<int>& views, int letters) {
     updateGeometry();
 }
 
-QStringList LectureLegend::words() const {
+QStringList LegendStrip::words() const {
     QStringList words;
     for (const Entry& entry : m_entries) words << entry.words;
     return words;

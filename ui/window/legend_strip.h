@@ -7,15 +7,15 @@
 
 namespace cullscope::ui {
 
-/// The meaning of the colours in the views of a lecture, in one row where there is room; empty where no view is coloured.
-class LectureLegend : public QWidget {
+/// The meaning of the colours in several views, in one row where there is room; empty where no view is coloured.
+class LegendStrip : public QWidget {
     Q_OBJECT
 
 public:
-    explicit LectureLegend(Session& session, QWidget* parent = nullptr);
+    explicit LegendStrip(Session& session, QWidget* parent = nullptr);
 
-    /// Explains the colours of these views in letters of so many pixels.
-    void explain(const std::vector<int>& views, int letters);
+    /// Explains the colours of these views in letters of so many pixels; `bars`: and those of the bars below their pictures.
+    void explain(const std::vector<int>& views, int letters, bool bars = false);
     [[nodiscard]] bool empty() const { return m_entries.empty(); }
     /// The words, for tests.
     [[nodiscard]] QStringList words() const;
@@ -28,7 +28,7 @@ private:
 
         bool operator==(const Entry&) const = default;
     };
-    [[nodiscard]] std::vector<Entry> entriesOf(const std::vector<int>& views) const;
+    [[nodiscard]] std::vector<Entry> entriesOf(const std::vector<int>& views, bool bars) const;
 
     Session& m_session;
     std::vector<Entry> m_entries;

@@ -1,0 +1,76 @@
+#include "ui/statistics/conclusion.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+
+namespace cullscope::ui {
+
+namespace {
+
+struct Conclusion {
+    Q_DECLARE_TR_FUNCTIONS(cullscope::ui::Conclusion)
+};
+
+QString ratio(double value) { return QLocale().toString(value, 'f', 2); }
+
+/// "×1.43 (95 %: 1.40 to 1.46)"; without the interval where there is none.
+QString speedOf(const RatioEstimate& speed) {
+    if (!speed.hasInterval) return QStringLiteral("×%1").arg(ratio(speed.ratio));
+    return Conclusion::tr("×%1 (95 %: %2 to %3)", "a ratio of times and its interval")
+        .arg(ratio(speed.ratio), ratio(speed.ci95[0]), ratio(speed.ci95[1]));
+}
+
+bool surelyFaster(const RatioEstimate& speed) { return (speed.hasInterval ? speed.ci95[0] : speed.ratio) > 1.0; }
+
+/// The run with the largest ratio among those that a condition holds for; null: there is none.
+template <typename Condition>
+const RunFigures* fastest(const std::vector<RunFigures>& runs, const Condition& condition) {
+    const RunFigures* best = nullptr;
+    for (const RunFigures& run : runs)
+        if (!run.baseline && condition(run) && (!best || run.speedup.ratio > best->speedup.ratio)) best = &run;
+    return best;
+}
+
+QString worstOf(const RunFigures& run) {
+    const auto worst = std::ranges::max_element(run.poses, {}, &PoseFigures::missedPixels);
+    return worst == run.poses.end() ? QString() : QString::number(worst->pose);
+}
+
+}  // namespace
+
+QStringList conclusionsOf(const std::vector<RunFigures>& runs) {
+    QStringList sentences;
+    const auto lossless = [](const RunFigures& run) { return run.missedPpm == 0.0; };
+    const RunFigures* safe = fastest(runs, lossless);
+    if (safe && surelyFaster(safe->speedup))
+        sentences << Conclusion::tr("Fastest without a lost pixel: %1, %2 against drawing everything with the same sides.")
+                         .arg(safe->label, speedOf(safe->speedup));
+    else if (safe)
+        sentences << Conclusion::tr(
+                         "No strategy that loses no pixel is surely faster than drawing everything with the same sides; the best "
+                         "one is %1 with %2.")
+                         .arg(safe->label, speedOf(safe->speedup));
+    const RunFigures* lossy = fastest(runs, [](const RunFigures& run) { return run.missedPpm.value_or(0.0) > 0.0; });
+    if (lossy && surelyFaster(lossy->speedup) && (!safe || lossy->speedup.ratio > safe->speedup.ratio))
+        sentences << Conclusion::tr("Faster, with losses: %1, %2; it loses %3 of a million pixels, most of them at pose %4.")
+                         .arg(lossy->label, speedOf(lossy->speedup), ppmText(*lossy->missedPpm), worstOf(*lossy));
+    for (const RunFigures& run : runs)
+        if (run.promise != Promise::Approximate && run.missedPpm.value_or(0.0) > 0.0)
+            sentences << Conclusion::tr("%1 promises to lose nothing and lost %2 of a million pixels: the promise is broken.")
+                             .arg(run.label, ppmText(*run.missedPpm));
+    const bool unmeasured = std::ranges::any_of(runs, [](const RunFigures& run) { return !run.missedPpm; });
+    if (unmeasured) sentences << Conclusion::tr("Losses were not measured of every strategy.");
+    if (sentences.isEmpty()) sentences << Conclusion::tr("Only baselines were measured: there is nothing to compare.");
+    return sentences;
+}
+
+QStringList conclusionsOf(const MeasureResult& result) {
+    QStringList sentences = conclusionsOf(runFigures(result));
+    if (result.gl.software)
+        sentences << Conclusion::tr("A software OpenGL drew: on a graphics card drawing takes less, and culling the same.");
+    if (result.interrupted) sentences << Conclusion::tr("The measurement was stopped early: poses are missing.");
+    return sentences;
+}
+
+}  // namespace cullscope::ui

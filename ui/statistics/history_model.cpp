@@ -1,0 +1,65 @@
+#include "ui/statistics/history_model.h"
+
+#include <QLocale>
+#include <algorithm>
+
+#include "ui/statistics/run_figures.h"
+
+namespace cullscope::ui {
+
+void HistoryModel::setExperiments(std::vector<PastExperiment> experiments) {
+    beginResetModel();
+    m_experiments = std::move(experiments);
+    std::ranges::reverse(m_experiments);
+    m_strategies.clear();
+    for (const PastExperiment& experiment : m_experiments)
+        for (const ResultRow& row : experiment.rows)
+            if (!m_strategies.contains(row.name)) m_strategies << row.name;
+    endResetModel();
+}
+
+void HistoryModel::retranslate() {
+    if (m_experiments.empty()) return;
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+int HistoryModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_strategies.size()); }
+
+int HistoryModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_experiments.size()); }
+
+const ResultRow* HistoryModel::row(const QModelIndex& index) const {
+    const std::vector<ResultRow>& rows = m_experiments[size_t(index.column())].rows;
+    const auto found = std::ranges::find(rows, m_strategies[index.row()], &ResultRow::name);
+    return found == rows.end() ? nullptr : &*found;
+}
+
+QVariant HistoryModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
+    const ResultRow* measured = row(index);
+    if (role == Qt::DisplayRole) {
+        if (!measured || !measured->speedup) return QStringLiteral("–");
+        const QString speed = QStringLiteral("×%1").arg(QLocale().toString(measured->speedup->ratio, 'f', 2));
+        return measured->missedPpm ? tr("%1 · %2 ppm missed", "a ratio of times, missed pixels of a million")
+                                         .arg(speed, ppmText(*measured->missedPpm))
+                                   : speed;
+    }
+    if (role == Qt::ToolTipRole && measured) return ResultTableModel::value(*measured, ResultTableModel::Speedup);
+    return {};
+}
+
+QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (section < 0) return {};
+    if (orientation == Qt::Vertical)
+        return role == Qt::DisplayRole && section < m_strategies.size() ? QVariant(m_strategies[section]) : QVariant();
+    if (size_t(section) >= m_experiments.size()) return {};
+    const PastExperiment& experiment = m_experiments[size_t(section)];
+    const QString time = QLocale().toString(experiment.when.time(), QLocale::ShortFormat);
+    if (role == Qt::DisplayRole)
+        return tr("%1, %2\n%3", "scene, time, path and size").arg(experiment.scene, time, experiment.what);
+    if (role == Qt::ToolTipRole) return QLocale().toString(experiment.when, QLocale::LongFormat);
+    return {};
+}
+
+}  // namespace cullscope::ui
