@@ -40,7 +40,7 @@ void expectRefusal(const ProcessResult& result, const std::string& mentions) {
 
 TEST_F(CullbenchOverlay, unknownOrUnavailableOneIsRefused) {
     const std::string sphere = "sphere:triangles=200";
-    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, boxes, frustum");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, wireframe, boxes, frustum");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "There is no overlay \"tree\"");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "index-map"}), "\"frustum\" has no index map");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "bands"}), "\"frustum\" has no contour bands");
