@@ -128,22 +128,22 @@
         <translation>옆보다 가까운 픽셀</translation>
     </message>
     <message>
-        <source>figures at %1 × %2 pixels</source>
-        <translation>%1 × %2 픽셀에서의 수치</translation>
-    </message>
-    <message>
         <source>software OpenGL</source>
         <translation>소프트웨어 OpenGL</translation>
-    </message>
-    <message>
-        <source>Triangles at %1 × %2 pixels:</source>
-        <comment>heading of the legend&apos;s counts</comment>
-        <translation>%1 × %2 픽셀에서의 삼각형 수:</translation>
     </message>
     <message>
         <source>box rejected by the %1</source>
         <comment>name of a plane</comment>
         <translation>상자를 제외한 면: %1</translation>
+    </message>
+    <message>
+        <source>figures at %1 pixels</source>
+        <translation>%1 픽셀에서의 수치</translation>
+    </message>
+    <message>
+        <source>Triangles at %1 pixels:</source>
+        <comment>heading of the legend&apos;s counts, size</comment>
+        <translation>%1 픽셀에서의 삼각형:</translation>
     </message>
 </context>
 <context>
@@ -216,18 +216,6 @@
         <translation>그림 크기</translation>
     </message>
     <message>
-        <source>Fits the window</source>
-        <translation>창에 맞춤</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>기타…</translation>
-    </message>
-    <message>
-        <source>Other (%1)…</source>
-        <translation>기타 (%1)…</translation>
-    </message>
-    <message>
         <source>The same in all views</source>
         <translation>모든 뷰에 똑같이</translation>
     </message>
@@ -258,6 +246,18 @@
     <message>
         <source>Below the picture</source>
         <translation>그림 아래에</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>기타…</translation>
+    </message>
+    <message>
+        <source>Other (%1)…</source>
+        <translation>기타(%1)…</translation>
+    </message>
+    <message>
+        <source>Fits the window</source>
+        <translation>창에 맞춤</translation>
     </message>
 </context>
 <context>
@@ -5582,6 +5582,10 @@ OpenGL %2
         <source>Triangles of view %1:</source>
         <translation>뷰 %1의 삼각형:</translation>
     </message>
+    <message>
+        <source>drawn, visible or not</source>
+        <translation>그려짐, 보이는지는 모름</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LessonBar</name>
@@ -7554,6 +7558,20 @@ sides [95 %]</source>
         <comment>of a narrow view, figures</comment>
         <translation>단계 %1 · %2</translation>
     </message>
+    <message>
+        <source>%1 · at %2 %</source>
+        <comment>size, percent</comment>
+        <extracomment>Of a picture: its size in pixels, and how large the window shows it.</extracomment>
+        <translation>%1 · %2 %로 표시</translation>
+    </message>
+    <message>
+        <source>Picture and figures: %1 pixels, which fit the window: figures change with it</source>
+        <translation>그림과 수치: 창에 맞춘 %1 픽셀. 수치가 창에 따라 바뀝니다</translation>
+    </message>
+    <message>
+        <source>Picture and figures: %1 pixels, shown at %2 %; figures do not change with the window</source>
+        <translation>그림과 수치: %1 픽셀, %2 %로 표시. 수치는 창에 따라 바뀌지 않습니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewPane</name>
@@ -7580,10 +7598,6 @@ sides [95 %]</source>
     <message>
         <source>culling frozen (F)</source>
         <translation>컬링 고정 (F)</translation>
-    </message>
-    <message>
-        <source>%1 × %2 shown at %3 %</source>
-        <translation>%1 × %2, %3 %로 표시</translation>
     </message>
     <message>
         <source>vertex arrays</source>
@@ -7620,6 +7634,10 @@ sides [95 %]</source>
     <message>
         <source>flying speed × %1 ([ and ])</source>
         <translation>비행 속도 × %1 ([ 와 ])</translation>
+    </message>
+    <message>
+        <source>coarse while it moves: %1 of %2 triangles, by object</source>
+        <translation>움직이는 동안 거칠게: 삼각형 %2개 중 %1개, 물체 단위</translation>
     </message>
 </context>
 <context>
@@ -8165,6 +8183,10 @@ sides [95 %]</source>
     <message>
         <source>Another view shows from outside what the active view culls; again: it is linked</source>
         <translation>다른 뷰가 활성 뷰의 컬링을 밖에서 보여 줍니다. 다시 누르면 연결됩니다</translation>
+    </message>
+    <message>
+        <source>Picture si&amp;ze</source>
+        <translation>그림 크기(&amp;Z)</translation>
     </message>
 </context>
 </TS>

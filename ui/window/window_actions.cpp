@@ -36,8 +36,8 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     upAxis = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu,
-                         &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
+    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &pictureSize, &panels, &m_fileMenu,
+                         &m_viewMenu, &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
     makeView();
@@ -176,6 +176,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(bookmarks);
+    m_viewMenu->addMenu(pictureSize);
     m_viewMenu->addMenu(m_upMenu);
     m_upMenu->addActions(upAxis->actions());
     m_viewMenu->addSeparator();
@@ -308,6 +309,7 @@ void WindowActions::retranslateView() {
     m_upMenu->setTitle(tr("&Up axis"));
     m_appearanceMenu->setTitle(tr("&Appearance"));
     bookmarks->setTitle(tr("Camera &bookmarks"));
+    pictureSize->setTitle(tr("Picture si&ze"));
     panels->setTitle(tr("&Panels"));
     say(oneView, tr("&1 view"), tr("Show one view"));
     say(twoViews, tr("&2 views"), tr("Show two views beside each other"));

@@ -49,6 +49,7 @@ public:
     QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
+    QMenu* pictureSize;  ///< of all views
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
