@@ -176,7 +176,7 @@ int show(ui::Application& application, ui::AbruptEnd& abruptEnd, const CommandLi
         QObject::connect(picture.get(), &ui::WindowPicture::done, &application, &QCoreApplication::exit);
     }
     if (line.lesson.empty() && line.scene.empty() && line.strategies.empty())
-        window.lessons().player().show(ui::LessonPlayer::firstStep(restored ? session.viewCount() : 2));
+        window.lessons().player().show(ui::LessonPlayer::firstStep(restored ? session.viewCount() : 2, session.setup(0).size));
     else if (line.lesson.empty())
         window.document().opener().open(QString::fromStdString(scene));
     else

@@ -148,11 +148,11 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
     style.wireframe = style.wireframe || look.has(Show::Kind::Wireframe);
     if (look.has(Show::Kind::Model))
         return drawSphericalModel(renderer, buffers, viewing, drawnTriangles(buffers.scene(), log), style, target);
-    VerdictPalette palette = verdictPalette(style.background);
-    if (look.has(Show::Kind::Verdicts) && style.wireframe)
-        for (PaletteEntry& entry : palette)
-            if (entry.look == Look::Filled) entry.look = Look::Wireframe;
     if (look.has(Show::Kind::Verdicts)) {
+        VerdictPalette palette = verdictPalette(style.background);
+        if (style.wireframe)
+            for (PaletteEntry& entry : palette)
+                if (entry.look == Look::Filled) entry.look = Look::Wireframe;
         const TriangleStates own = known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), log, std::nullopt);
         const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;
         renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states),
@@ -160,8 +160,40 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
     } else {
         renderer.draw(buffers, viewing, log, target, style);
     }
+    drawViewOverlays(renderer, buffers.scene(), strategy, log, viewing, look, style, target);
+}
+
+void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
+                       const FrameLog& log, const View& viewing, const ViewLook& look, const DrawStyle& style,
+                       Framebuffer& target) {
+    const Scene &scene = buffers.scene(), &few = coarse.scene();
+    std::vector<bool> drawn(scene.instances().size(), false);
+    for (const DrawRange& range : drawnTriangles(scene, log).ranges) drawn[range.instance] = true;
+    if (look.has(Show::Kind::Verdicts)) {
+        // An object of which anything is drawn is drawn; any other one has the state of its first triangle.
+        const TriangleStates states = triangleStates(scene, log, std::nullopt);
+        std::vector<TriangleState> byObject(few.triangleCount());
+        for (size_t i = 0; i < drawn.size(); ++i) {
+            if (few.firstTriangle(i) == few.firstTriangle(i + 1)) continue;
+            const TriangleState state = drawn[i] ? TriangleState::Visible : states.states[scene.firstTriangle(i)];
+            std::fill(byObject.begin() + std::ptrdiff_t(few.firstTriangle(i)),
+                      byObject.begin() + std::ptrdiff_t(few.firstTriangle(i + 1)), state);
+        }
+        const VerdictPalette palette = verdictPalette(style.background);
+        renderer.drawByState(coarse, viewing, Facing::TwoSided, bytes(byObject),
+                             look.has(Show::Kind::Left) ? palette : drawnOnly(palette), target, style);
+    } else {
+        DrawList list = everything(few, Facing::TwoSided);
+        std::erase_if(list.ranges, [&](const DrawRange& range) { return !drawn[range.instance]; });
+        renderer.draw(coarse, viewing, list, target, style);
+    }
+    drawViewOverlays(renderer, scene, strategy, log, viewing, look, style, target);
+}
+
+void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrategy& strategy, const FrameLog& log,
+                      const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target) {
     const OverlayContext context{
-        buffers.scene(), viewing, style, palette, contrastTo(style.background), planePalette(style.background)};
+        scene, viewing, style, verdictPalette(style.background), contrastTo(style.background), planePalette(style.background)};
     const auto drawAll = [&](const std::vector<OverlayLines>& overlays) {
         for (const OverlayLines& overlay : overlays) drawOverlay(renderer, viewing, overlay, style, target);
     };

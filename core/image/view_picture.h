@@ -69,4 +69,14 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
                      const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& style,
                      Framebuffer& target);
 
+/// What drawViewPicture draws over the objects.
+void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrategy& strategy, const FrameLog& log,
+                      const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target);
+
+/// A picture of a frame by a coarse scene (scene/coarse_scene.h) of the same objects: those of which the frame draws anything, in
+/// whole, and with the same overlays. Colours by verdict are by object and without the truth.
+void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
+                       const FrameLog& log, const View& viewing, const ViewLook& look, const DrawStyle& style,
+                       Framebuffer& target);
+
 }  // namespace cullscope

@@ -42,6 +42,8 @@ Vec3 turnedOffset(const Vec3& offset, UpAxis up, Angle azimuth, Angle elevation)
 
 const Angle kObserverAzimuth = Angle::fromDegrees(75.0);
 const Angle kObserverElevation = Angle::fromDegrees(12.0);
+constexpr double kBeyondScene = 1.01;  // of the distance to its far side
+constexpr double kWidestFramed = 1.5;  // the tangent of half an angle of view
 
 }  // namespace
 
@@ -155,17 +157,48 @@ Camera homeCamera(const Scene& scene, UpAxis up, double aspect) {
     return camera;
 }
 
-Camera observerCamera(const Camera& culling, const Sphere& scene, UpAxis up, double aspect) {
-    // The smallest sphere around the scene and the culling camera's eye, so that the picture shows both.
-    const Vec3 toEye = culling.eye - scene.centre;
-    const double distance = glm::length(toEye);
-    Sphere both = scene;
-    if (distance > scene.radius) {
-        both.radius = 0.5 * (distance + scene.radius);
-        both.centre = scene.centre + (both.radius - scene.radius) / distance * toEye;
-    }
-    const Camera lens{culling.eye, culling.target, axisVector(up)};
-    return framed(turned(lens, up, kObserverAzimuth, kObserverElevation), up, both, aspect);
+namespace {
+
+/// Moves a camera without turning it so that points and a sphere fill the picture. Both sides of the picture touch one of them,
+/// or its top and bottom do.
+Camera filledBy(const Camera& camera, std::span<const Vec3> points, const Sphere& sphere, double aspect) {
+    const View seen(camera, {1, 1});
+    const Frustum& frustum = seen.frustum();
+    const double tanHeight = std::tan(camera.fovy.radians() / 2.0) / kFramingMargin, tanWidth = aspect * tanHeight;
+    // How far a place lies beyond the plane through the eye at one of the picture's sides, along `axis`.
+    const auto beyond = [&](const Vec3& axis, double tangent) {
+        const auto of = [&](const Vec3& place) {
+            const Vec3 offset = place - camera.eye;
+            return glm::dot(offset, axis) - tangent * glm::dot(offset, frustum.forward);
+        };
+        double most = of(sphere.centre) + sphere.radius * std::sqrt(1.0 + tangent * tangent);
+        for (const Vec3& point : points) most = std::max(most, of(point));
+        return most;
+    };
+    const double right = beyond(frustum.right, tanWidth), left = beyond(-frustum.right, tanWidth);
+    const double top = beyond(frustum.up, tanHeight), bottom = beyond(-frustum.up, tanHeight);
+    const double back = std::max((right + left) / (2.0 * tanWidth), (top + bottom) / (2.0 * tanHeight));
+    Camera result = camera;
+    result.eye += (right - left) / 2.0 * frustum.right + (top - bottom) / 2.0 * frustum.up - back * frustum.forward;
+    result.target = result.eye + glm::dot(sphere.centre - result.eye, frustum.forward) * frustum.forward;
+    return result;
+}
+
+}  // namespace
+
+Camera observerCamera(const View& culling, const Sphere& scene, UpAxis up, double aspect) {
+    const Camera& camera = culling.camera();
+    const Camera lens{camera.eye, camera.target, axisVector(up)};
+    std::vector<Vec3> corners{camera.eye};
+    // What lies beyond the scene, as of a lens with a far plane of its own, is left out; and as the corners of a very wide
+    // frustum lie far beside everything, only its beginning is framed then.
+    const Frustum& frustum = culling.frustum();
+    const double widest = std::max(frustum.tanHalfWidth, frustum.tanHalfHeight);
+    const double reach = kBeyondScene * (glm::length(camera.eye - scene.centre) + scene.radius);
+    const double shown = std::min({1.0, kWidestFramed / widest, reach / frustum.farDistance});
+    for (const Vec3& corner : frustum.corners()) corners.push_back(camera.eye + shown * corner);
+    const Camera beside = turned(lens, up, kObserverAzimuth, kObserverElevation);
+    return filledBy(beside, corners, Sphere{scene.centre, scene.radius > 0.0 ? scene.radius : 1.0}, aspect);
 }
 
 Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear) {
@@ -173,7 +206,7 @@ Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::opti
     const double radius = scene.radius > 0.0 ? scene.radius : 1.0;
     const double toCentre = glm::length(camera.eye - scene.centre);
     const double reach = glm::length(camera.eye - camera.target);
-    result.farDistance = 1.01 * (toCentre + radius);
+    result.farDistance = kBeyondScene * (toCentre + radius);
     const double aroundScene = std::max(0.99 * (toCentre - radius), 1e-4 * radius);
     const double wanted = chosenNear.value_or(std::min(aroundScene, 0.05 * reach));
     result.nearDistance = std::clamp(wanted, kNearestNearPlane * result.farDistance, 0.9 * result.farDistance);

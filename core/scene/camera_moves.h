@@ -36,8 +36,9 @@ namespace cullscope {
 /// The initial camera of a scene.
 [[nodiscard]] Camera homeCamera(const Scene& scene, UpAxis up, double aspect);
 
-/// A camera that looks from the side and above at a culling camera and the scene it sees.
-[[nodiscard]] Camera observerCamera(const Camera& culling, const Sphere& scene, UpAxis up, double aspect);
+/// A camera that looks from the side and above at a culling view and the scene: all of its frustum as far as the scene reaches,
+/// its eye and the scene's sphere are in the picture, and fill it in one direction.
+[[nodiscard]] Camera observerCamera(const View& culling, const Sphere& scene, UpAxis up, double aspect);
 
 /// Sets near and far so that they enclose the scene as seen from the camera; `chosenNear` replaces the near distance.
 [[nodiscard]] Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear);

@@ -136,22 +136,22 @@
         <translation>옆보다 가까운 픽셀</translation>
     </message>
     <message>
-        <source>figures at %1 × %2 pixels</source>
-        <translation>%1 × %2 픽셀에서의 수치</translation>
-    </message>
-    <message>
         <source>software OpenGL</source>
         <translation>소프트웨어 OpenGL</translation>
-    </message>
-    <message>
-        <source>Triangles at %1 × %2 pixels:</source>
-        <comment>heading of the legend&apos;s counts</comment>
-        <translation>%1 × %2 픽셀에서의 삼각형 수:</translation>
     </message>
     <message>
         <source>box rejected by the %1</source>
         <comment>name of a plane</comment>
         <translation>상자를 제외한 면: %1</translation>
+    </message>
+    <message>
+        <source>figures at %1 pixels</source>
+        <translation>%1 픽셀에서의 수치</translation>
+    </message>
+    <message>
+        <source>Triangles at %1 pixels:</source>
+        <comment>heading of the legend&apos;s counts, size</comment>
+        <translation>%1 픽셀에서의 삼각형:</translation>
     </message>
 </context>
 <context>
@@ -212,18 +212,6 @@
         <translation>그림 크기</translation>
     </message>
     <message>
-        <source>Fits the window</source>
-        <translation>창에 맞춤</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>기타…</translation>
-    </message>
-    <message>
-        <source>Other (%1)…</source>
-        <translation>기타 (%1)…</translation>
-    </message>
-    <message>
         <source>The same in all views</source>
         <translation>모든 뷰에 똑같이</translation>
     </message>
@@ -254,6 +242,18 @@
     <message>
         <source>Below the picture</source>
         <translation>그림 아래에</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>기타…</translation>
+    </message>
+    <message>
+        <source>Other (%1)…</source>
+        <translation>기타(%1)…</translation>
+    </message>
+    <message>
+        <source>Fits the window</source>
+        <translation>창에 맞춤</translation>
     </message>
 </context>
 <context>
@@ -5928,6 +5928,10 @@ OpenGL %2
         <source>Triangles of view %1:</source>
         <translation>뷰 %1의 삼각형:</translation>
     </message>
+    <message>
+        <source>drawn, visible or not</source>
+        <translation>그려짐, 보이는지는 모름</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LegendStrip</name>
@@ -7966,6 +7970,20 @@ sides [95 %]</source>
         <comment>of a narrow view, figures</comment>
         <translation>단계 %1 · %2</translation>
     </message>
+    <message>
+        <source>%1 · at %2 %</source>
+        <comment>size, percent</comment>
+        <extracomment>Of a picture: its size in pixels, and how large the window shows it.</extracomment>
+        <translation>%1 · %2 %로 표시</translation>
+    </message>
+    <message>
+        <source>Picture and figures: %1 pixels, which fit the window: figures change with it</source>
+        <translation>그림과 수치: 창에 맞춘 %1 픽셀. 수치가 창에 따라 바뀝니다</translation>
+    </message>
+    <message>
+        <source>Picture and figures: %1 pixels, shown at %2 %; figures do not change with the window</source>
+        <translation>그림과 수치: %1 픽셀, %2 %로 표시. 수치는 창에 따라 바뀌지 않습니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewPane</name>
@@ -7992,10 +8010,6 @@ sides [95 %]</source>
     <message>
         <source>culling frozen (F)</source>
         <translation>컬링 고정 (F)</translation>
-    </message>
-    <message>
-        <source>%1 × %2 shown at %3 %</source>
-        <translation>%1 × %2, %3 %로 표시</translation>
     </message>
     <message>
         <source>vertex arrays</source>
@@ -8036,6 +8050,10 @@ sides [95 %]</source>
     <message>
         <source>wireframe; figures of the filled picture</source>
         <translation>와이어프레임, 수치는 채워진 그림의 것</translation>
+    </message>
+    <message>
+        <source>coarse while it moves: %1 of %2 triangles, by object</source>
+        <translation>움직이는 동안 거칠게: 삼각형 %2개 중 %1개, 물체 단위</translation>
     </message>
 </context>
 <context>
@@ -8598,6 +8616,10 @@ sides [95 %]</source>
     <message>
         <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
         <translation>멀리서 0.5°의 시야로 보기: 크기가 거리에 거의 좌우되지 않고, 활성 뷰의 축척은 그대로입니다</translation>
+    </message>
+    <message>
+        <source>Picture si&amp;ze</source>
+        <translation>그림 크기(&amp;Z)</translation>
     </message>
 </context>
 </TS>

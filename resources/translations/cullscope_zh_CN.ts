@@ -136,22 +136,22 @@
         <translation>比旁边更近（像素）</translation>
     </message>
     <message>
-        <source>figures at %1 × %2 pixels</source>
-        <translation>%1 × %2 像素下的数值</translation>
-    </message>
-    <message>
         <source>software OpenGL</source>
         <translation>软件 OpenGL</translation>
-    </message>
-    <message>
-        <source>Triangles at %1 × %2 pixels:</source>
-        <comment>heading of the legend&apos;s counts</comment>
-        <translation>%1 × %2 像素下的三角形数：</translation>
     </message>
     <message>
         <source>box rejected by the %1</source>
         <comment>name of a plane</comment>
         <translation>剔除该盒的平面：%1</translation>
+    </message>
+    <message>
+        <source>figures at %1 pixels</source>
+        <translation>%1 像素下的数据</translation>
+    </message>
+    <message>
+        <source>Triangles at %1 pixels:</source>
+        <comment>heading of the legend&apos;s counts, size</comment>
+        <translation>%1 像素下的三角形：</translation>
     </message>
 </context>
 <context>
@@ -212,18 +212,6 @@
         <translation>图像大小</translation>
     </message>
     <message>
-        <source>Fits the window</source>
-        <translation>适应窗口</translation>
-    </message>
-    <message>
-        <source>Other…</source>
-        <translation>其他…</translation>
-    </message>
-    <message>
-        <source>Other (%1)…</source>
-        <translation>其他（%1）…</translation>
-    </message>
-    <message>
         <source>The same in all views</source>
         <translation>所有视图相同</translation>
     </message>
@@ -254,6 +242,18 @@
     <message>
         <source>Below the picture</source>
         <translation>图像下方</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>其他…</translation>
+    </message>
+    <message>
+        <source>Other (%1)…</source>
+        <translation>其他（%1）…</translation>
+    </message>
+    <message>
+        <source>Fits the window</source>
+        <translation>适应窗口</translation>
     </message>
 </context>
 <context>
@@ -5928,6 +5928,10 @@ OpenGL %2
         <source>Triangles of view %1:</source>
         <translation>视图 %1 的三角形：</translation>
     </message>
+    <message>
+        <source>drawn, visible or not</source>
+        <translation>已绘制，是否可见未知</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LegendStrip</name>
@@ -7966,6 +7970,20 @@ sides [95 %]</source>
         <comment>of a narrow view, figures</comment>
         <translation>第 %1 步 · %2</translation>
     </message>
+    <message>
+        <source>%1 · at %2 %</source>
+        <comment>size, percent</comment>
+        <extracomment>Of a picture: its size in pixels, and how large the window shows it.</extracomment>
+        <translation>%1 · 按 %2 % 显示</translation>
+    </message>
+    <message>
+        <source>Picture and figures: %1 pixels, which fit the window: figures change with it</source>
+        <translation>图像与数据：%1 像素，适应窗口：数据随窗口改变</translation>
+    </message>
+    <message>
+        <source>Picture and figures: %1 pixels, shown at %2 %; figures do not change with the window</source>
+        <translation>图像与数据：%1 像素，按 %2 % 显示；数据不随窗口改变</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewPane</name>
@@ -7992,10 +8010,6 @@ sides [95 %]</source>
     <message>
         <source>culling frozen (F)</source>
         <translation>剔除已冻结 (F)</translation>
-    </message>
-    <message>
-        <source>%1 × %2 shown at %3 %</source>
-        <translation>%1 × %2，以 %3 % 显示</translation>
     </message>
     <message>
         <source>vertex arrays</source>
@@ -8036,6 +8050,10 @@ sides [95 %]</source>
     <message>
         <source>wireframe; figures of the filled picture</source>
         <translation>线框；数值为填充图像的数值</translation>
+    </message>
+    <message>
+        <source>coarse while it moves: %1 of %2 triangles, by object</source>
+        <translation>移动时为粗略图像：%2 个三角形中的 %1 个，按物体</translation>
     </message>
 </context>
 <context>
@@ -8598,6 +8616,10 @@ sides [95 %]</source>
     <message>
         <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
         <translation>从远处以 0.5° 的视场观看：大小几乎不随距离变化，活动视图保持其比例</translation>
+    </message>
+    <message>
+        <source>Picture si&amp;ze</source>
+        <translation>图像大小(&amp;Z)</translation>
     </message>
 </context>
 </TS>

@@ -2,16 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
-#include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <QProcess>
-#include <QTemporaryDir>
 #include <algorithm>
 
 #include "core/scene/camera_path.h"
 #include "tests/support/long_mode.h"
+#include "tests/ui/cullbench_measure.h"
 #include "tests/ui/cullbench_picture.h"
 #include "tests/ui/eight_views.h"
 
@@ -33,41 +28,14 @@ TEST_F(EightViews, picturesAreExactly320By240OnTheLeastScreenInEveryLanguage) {
     }
 }
 
-/// What `cullbench measure` says of a strategy at one camera.
-QJsonObject measured(const PictureSubject& picture, const QString& strategies) {
-    const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("path.json")), json = folder.filePath(QStringLiteral("out.json"));
-    writeCameraPath(path.toStdString(), {"pose",
-                                         picture.culling.fovy,
-                                         picture.culling.nearDistance,
-                                         picture.culling.farDistance,
-                                         {{picture.culling.eye, picture.culling.target, picture.culling.up}}});
-    QProcess cullbench;
-    cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH),
-                    {QStringLiteral("measure"), QString::fromStdString(picture.scene), QStringLiteral("-s"), strategies,
-                     QStringLiteral("--path"), path, QStringLiteral("--size"),
-                     QStringLiteral("%1x%2").arg(picture.size.width).arg(picture.size.height), QStringLiteral("--repeat"),
-                     QStringLiteral("1"), QStringLiteral("--json"), json});
-    EXPECT_TRUE(cullbench.waitForFinished(kPatience));
-    QFile file(json);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << cullbench.readAllStandardError().toStdString();
-    return QJsonDocument::fromJson(file.readAll()).object();
-}
-
 TEST_F(EightViews, figuresOfAFixedSizeStayWhateverTheWindowAndEqualCullbenchs) {
     open(kObjects);
     session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
     setSizes(Viewport{640, 480});
     session.slot(0).choose("frustum");
     settle();
-    const QJsonObject result = measured(picture(0).subject(), QStringLiteral("frustum,backface"));
-    const QJsonArray runs = result[QStringLiteral("runs")].toArray();
-    const auto frame = [&](const char* strategy) {
-        for (const auto& run : runs)
-            if (run.toObject()[QStringLiteral("strategy")].toString() == QLatin1String(strategy))
-                return run.toObject()[QStringLiteral("frames")].toArray().at(0).toObject();
-        return QJsonObject();
-    };
+    const QJsonObject result = measuredByCullbench(picture(0).subject(), QStringLiteral("frustum,backface"));
+    const auto frame = [&](const char* strategy) { return firstFrameOf(result, strategy); };
     EXPECT_GT(frame("frustum")[QStringLiteral("covered_pixels")].toInt(), 1000);
     for (const QSize& size : {QSize(1920, 1000), QSize(1366, 768)}) {
         window.resize(size);

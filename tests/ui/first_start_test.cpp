@@ -51,12 +51,37 @@ TEST_F(FirstStart, oneKeyWatchesFromOutsideWithObjectAndFrustumInThePicture) {
         return clip.w > 0.0 && std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w;
     };
     EXPECT_TRUE(inPicture(session.cullingCamera(1).eye)) << "the tip of the frustum";
+    const View culling(session.cullingCamera(0), session.renderSize(0));
+    for (const Vec3& corner : culling.frustum().corners()) EXPECT_TRUE(inPicture(culling.eye() + corner)) << "all of the frustum";
     const Sphere sphere = session.scene()->boundingSphere();
     for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
         for (const double side : {-1.0, 1.0}) EXPECT_TRUE(inPicture(sphere.centre + side * sphere.radius * way));
     window.actions().watch->trigger();
     EXPECT_EQ(session.culledBy(1), 1);
     EXPECT_EQ(session.slot(1).built()->promise(), Promise::Conservative) << "the strategy beside is there again";
+}
+
+TEST_F(FirstStart, legendAndNextActionAreInSightOnSmallScreensInEveryLanguage) {
+    for (const char* spoken : {"en", "ko", "zh_CN"}) {
+        language.use(QString::fromLatin1(spoken));
+        for (const QSize& size : {QSize(1366, 768), QSize(1280, 720)}) {
+            window.resize(size);
+            settle();
+            QTest::qWait(150);  // layouts within layouts take a turn each
+            ASSERT_EQ(window.size(), size) << spoken;
+            const QWidget& legend = window.legend();
+            EXPECT_EQ(legend.visibleRegion().boundingRect(), legend.rect()) << spoken << ", " << size.width();
+            EXPECT_TRUE(window.rect().contains(QRect(legend.mapTo(&window, QPoint()), legend.size()))) << spoken;
+            for (const QLabel* label : legend.findChildren<QLabel*>()) {
+                if (!label->isVisible()) continue;
+                const std::string said =
+                    std::string(spoken) + ", " + std::to_string(size.width()) + ": " + label->text().toStdString();
+                EXPECT_EQ(label->visibleRegion(), QRegion(label->rect())) << said;
+                EXPECT_GE(label->height(), label->heightForWidth(label->width())) << said;
+            }
+        }
+    }
+    language.use(QStringLiteral("en"));
 }
 
 TEST_F(FirstStart, nextActionLeadsToTheFirstLesson) {

@@ -92,6 +92,25 @@ TEST(Models, sceneFactsCountPrimitivesByKindAndAllTogether) {
     EXPECT_EQ(model.index(all, 1).data().toString(), countText(sum));
 }
 
+TEST(Models, aSpeedThatIsStillBeingMeasuredIsNotWrittenAsANumber) {
+    MetricsModel model;
+    ViewMetrics figures = someFigures();
+    figures.timed = false;
+    figures.speedup.reset();
+    figures.frameMilliseconds = 0.0;
+    figures.cullMilliseconds = 0.7;
+    model.setColumns({{0, figures}});
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const QString title = model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString();
+        const QString value = model.index(row, 0).data().toString();
+        const bool time = QStringList{QStringLiteral("Speed, same sides drawn"), QStringLiteral("Frame"),
+                                      QStringLiteral("Culling"), QStringLiteral("Frames per second")}
+                              .contains(title);
+        EXPECT_EQ(value == QStringLiteral("…"), time) << title.toStdString() << ": " << value.toStdString();
+    }
+    EXPECT_FALSE(metricsDetails(figures, {}).contains(QStringLiteral("fps"))) << metricsDetails(figures, {}).toStdString();
+}
+
 TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
     MetricsModel model;
     ViewMetrics figures = someFigures();

@@ -23,6 +23,8 @@ inline Session::Options sessionOptions(bool graphics) {
     Session::Options options;
     options.restBeforeMeasuring = 20;
     options.rounds.fixedRepetitions = 1;
+    // Small pictures, whose sizes the tests' windows give: what a view's own size does has tests of its own.
+    options.pictureSize.reset();
     options.waitForStep = kPatience;  // a busy machine may take longer for a picture than a person would wait
     options.graphics = graphics;
     return options;

@@ -107,6 +107,22 @@ TEST_F(ViewFramesTest, aPickOfALostPixelIsTheTriangleThatIsMissingThere) {
     session.setPick(std::nullopt);
     session.pickLostAt(1, hole.x, hole.y);
     EXPECT_TRUE(picked());
+    // Beside the truth and beside another view, too, and near the mark of one.
+    session.slot(0).choose("all");
+    for (const Wipe::Mode mode : {Wipe::Mode::Truth, Wipe::Mode::Loss, Wipe::Mode::OtherView, Wipe::Mode::Difference}) {
+        ViewSetup setup = session.setup(1);
+        setup.wipe = {mode, 0, 0.5};
+        session.setSetup(1, setup);
+        settle();
+        const bool marked = mode == Wipe::Mode::Loss || mode == Wipe::Mode::Difference;
+        session.setPick(std::nullopt);
+        session.pickAt(1, hole.x, hole.y);
+        EXPECT_TRUE(picked()) << int(mode);
+        if (!marked) continue;
+        session.setPick(std::nullopt);
+        session.pickAt(1, hole.x + 1, hole.y + 1);
+        EXPECT_TRUE(picked()) << int(mode);
+    }
     why.show();
     settle();
     EXPECT_FALSE(why.decided().isEmpty());

@@ -171,6 +171,27 @@ std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
 }
 
 ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::shared_ptr<ViewPicture> picture = request.coarse ? drawCoarse(request) : drawWhole(request);
+    picture->milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return picture;
+}
+
+std::shared_ptr<ViewPicture> ViewPictureDrawer::drawCoarse(const ViewRequest& request) {
+    auto picture = std::make_shared<ViewPicture>();
+    picture->request = request;
+    picture->frame = m_frames->of(request.frame(), renderer());
+    Framebuffer& into = target(request.size);
+    drawCoarsePicture(renderer(), *request.buffers, *request.coarse, *request.strategy, picture->frame->log,
+                      View(request.viewing, request.size), request.look, request.style, into);
+    picture->colour = newImage(request.size, QImage::Format_RGBA8888);
+    copyTile(into.readColour(), into.tile(), picture->colour);
+    picture->depth = into.readDepth();
+    picture->consideredTriangles = picture->frame->log.consideredTriangles();
+    return picture;
+}
+
+std::shared_ptr<ViewPicture> ViewPictureDrawer::drawWhole(const ViewRequest& request) {
     const ViewFramePointer frame = m_frames->of(request.frame(), renderer());
     const ViewFramePointer other = request.other ? m_frames->ofOther(request.otherFrame(), renderer()) : nullptr;
     PictureDrawing drawing(request, frame, other);
@@ -205,8 +226,10 @@ std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewReque
     }
     const View viewing(request.viewing, request.size);
     const bool whole = !request.unanswered && !request.upTo;
-    if (whole && (request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss))
-        if (const auto lost = missing(request, *frame, x, y, request.wipe == Wipe::Mode::Loss ? kMarkReach : 0)) return lost;
+    // Where something is compared, what this view lost of the truth comes before what it shows behind.
+    const bool marked = request.wipe == Wipe::Mode::Loss || request.wipe == Wipe::Mode::Difference;
+    if (whole && request.wipe != Wipe::Mode::None)
+        if (const auto lost = missing(request, *frame, x, y, marked ? kMarkReach : 0)) return lost;
     const bool all = request.look.has(Show::Kind::Left);
     const std::optional<PickedTriangle> picked =
         all ? renderer().pick(*request.buffers, viewing, everything(scene, Facing::TwoSided), x, y)

@@ -35,7 +35,9 @@ struct ViewRequest {
     int otherView = 0;               ///< with `other`: the view that it is the strategy of
     uint32_t otherTurn = 0;          ///< and which of its frames
     std::optional<LogPlace> upTo{};  ///< where a replay of the frame stops; none: at its end
-    bool unanswered = false;         ///< all triangles are shown in place of the frame: what a strategy decided is not told yet
+    /// A coarse scene of the same objects that the picture is drawn with; null: the scene itself. The frame is the same.
+    SceneBuffersPointer coarse{};
+    bool unanswered = false;  ///< all triangles are shown in place of the frame: what a strategy decided is not told yet
 
     [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scenePointer() == buffers->scenePointer(); }
     /// The frame that the picture replays, and the one beside which it is shown (with `other`).
@@ -56,6 +58,7 @@ struct ViewPicture {
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
     uint64_t missed = 0, added = 0;    ///< pixels at which `colour` shows a farther or a nearer surface than `other`
     uint64_t consideredTriangles = 0;  ///< triangles submitted to OpenGL
+    double milliseconds = 0.0;         ///< that it took in all, with the frame's decisions where they were new
     bool timed = false;                ///< the view's next frame was told how long this one took
     PlaneCounts planes;                ///< counts of boxes by plane, if boxes are coloured by plane
     bool partOfModel = false;          ///< in spherical coordinates: the strategy submitted only a part of the shown object
@@ -123,6 +126,8 @@ public:
     [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
 
 private:
+    [[nodiscard]] std::shared_ptr<ViewPicture> drawWhole(const ViewRequest& request);
+    [[nodiscard]] std::shared_ptr<ViewPicture> drawCoarse(const ViewRequest& request);
     /// What the truth shows and the frame does not at the lost pixel that is nearest to a pixel, at most `reach` rows and columns
     /// away; none: no pixel is lost there.
     [[nodiscard]] std::optional<Picked> missing(const ViewRequest& request, const ViewFrame& frame, int x, int y, int reach);

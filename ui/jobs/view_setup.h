@@ -32,6 +32,10 @@ struct Wipe {
     bool operator==(const Wipe&) const = default;
 };
 
+/// The size of a view's picture unless another one is chosen: that of cullbench. Figures of a size of their own do not change
+/// with the window.
+inline constexpr Viewport kUsualPictureSize{640, 480};
+
 /// All settings of one view but its strategy, which is in its StrategySlot. Plain values, as session files and picture metadata
 /// store them.
 struct ViewSetup {
@@ -40,7 +44,8 @@ struct ViewSetup {
     Camera viewing;                       ///< Observer and Frozen: the viewing camera
     Camera culling;                       ///< Frozen: the culling camera
     std::optional<Viewport> cullingSize;  ///< Frozen: the picture size that the culling camera culls for
-    std::optional<Viewport> size;         ///< of the picture, in pixels; none: fit to the window
+    /// Of the picture, in pixels; none: fit to the window.
+    std::optional<Viewport> size = kUsualPictureSize;
     Upload upload = Upload::Vbo;
     ViewLook look;
     Wipe wipe;

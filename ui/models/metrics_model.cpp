@@ -98,13 +98,13 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
     const Accuracy& accuracy = figures.accuracy;
     switch (row) {
         case Speedup:
-            return figures.speedup ? speedText(*figures.speedup) : QStringLiteral("–");
+            return figures.speedup ? speedText(*figures.speedup) : figures.timed ? QStringLiteral("–") : QStringLiteral("…");
         case Frame:
             return figures.timed ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…");
         case Fps:
             return figures.frameMilliseconds > 0.0 ? ratioText(1000.0 / figures.frameMilliseconds) : QStringLiteral("…");
         case Cull:
-            return millisecondsText(figures.cullMilliseconds);
+            return figures.timed ? millisecondsText(figures.cullMilliseconds) : QStringLiteral("…");
         case Submitted:
             return countText(figures.submitted.triangles);
         case Visible:

@@ -81,9 +81,11 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
     if (figures.state == ViewMetrics::State::Ready) {
         const double fps = figures.frameMilliseconds > 0.0 ? 1000.0 / figures.frameMilliseconds : 0.0;
         if (figures.speedup) lines << speedSentence(figures);
-        lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
-                     .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds), millisecondsText(figures.cullMilliseconds))
-              << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")
+        if (figures.timed)
+            lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
+                         .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds),
+                              millisecondsText(figures.cullMilliseconds));
+        lines << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")
                      .arg(countText(figures.submitted.triangles), countText(figures.sceneTriangles),
                           countText(figures.accuracy.visibleTriangles))
               << missedSentence(figures);

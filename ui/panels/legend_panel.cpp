@@ -280,13 +280,17 @@ void LegendPanel::showUndecided() {
 void LegendPanel::showCounts() {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool counted = figures.state == ViewMetrics::State::Ready && figures.states && !m_session.question();
+    const bool unmeasured = figures.state == ViewMetrics::State::OnRequest || figures.state == ViewMetrics::State::Failed;
+    const QString none = unmeasured ? QStringLiteral("–") : QStringLiteral("…");
     for (size_t state = 0; state < kTriangleStateCount; ++state) {
-        const QString word = translated(triangleStateName(TriangleState(state)));
+        // What is drawn may be hidden: without the truth it is not known to be visible.
+        const bool drawn = unmeasured && TriangleState(state) == TriangleState::Visible;
+        const QString word = drawn ? tr("drawn, visible or not") : translated(triangleStateName(TriangleState(state)));
         // The counts are those of the whole frame, in which nothing is left undecided.
         const bool decided = TriangleState(state) != TriangleState::Undecided, known = counted && decided;
         const uint64_t count = known ? figures.states->counts[state] : 0;
         m_words[state]->setText(word);
-        m_counts[state]->setText(known ? shortCount(count) : decided ? QStringLiteral("…") : QString());
+        m_counts[state]->setText(known ? shortCount(count) : decided ? none : QString());
         const QString full =
             known ? tr("%1: %2 triangles in the active view", "a state of triangles").arg(word, countText(count)) : word;
         m_words[state]->setToolTip(full);

@@ -1,5 +1,6 @@
 #include "ui/panels/structure_tree.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHeaderView>
 #include <QScopedValueRollback>
@@ -13,6 +14,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr std::array kWidths{0, 64, 146, 92};  // width of the columns; the name takes the rest of 400 pixels
+constexpr double kUsualLetters = 1.3;          // larger ones, of a lecture, leave room for names and verdicts alone
 constexpr int kIndentation = 12;               // pixels per level, so that the fourth level still has room for names
 constexpr int kFirstRows = 24;                 // rows that are expanded when a tree is first shown
 
@@ -52,8 +54,14 @@ void StructureTree::setUpView() {
     m_view->setIndentation(kIndentation);
     m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view->header()->setSectionResizeMode(StructureModel::Name, QHeaderView::Stretch);
+    fitLetters();
+}
+
+void StructureTree::fitLetters() {
+    const double scale = double(QFontInfo(font()).pixelSize()) / QFontInfo(QApplication::font()).pixelSize();
+    m_large = scale > kUsualLetters;
     for (int column = StructureModel::Triangles; column < StructureModel::ColumnCount; ++column)
-        m_view->setColumnWidth(column, kWidths[size_t(column)]);
+        m_view->setColumnWidth(column, int(kWidths[size_t(column)] * scale));
 }
 
 void StructureTree::refresh() {
@@ -63,10 +71,10 @@ void StructureTree::refresh() {
     // A flat list needs no expand arrows. In a tree the names need the width of the count column; their tooltips state the
     // counts.
     m_view->setRootIsDecorated(m_model->nested());
-    m_view->setColumnHidden(StructureModel::Triangles, m_model->nested());
+    m_view->setColumnHidden(StructureModel::Triangles, m_model->nested() || m_large);
     // So do they need that of planes, until one has rejected something; then it stays, so that no step moves the columns back.
     m_namesPlanes = m_namesPlanes || m_model->namesPlanes();
-    m_view->setColumnHidden(StructureModel::Plane, m_model->nested() && !m_namesPlanes);
+    m_view->setColumnHidden(StructureModel::Plane, m_large || (m_model->nested() && !m_namesPlanes));
     m_view->setVisible(!m_model->empty());
     // The Tab key cannot leave a panel whose focus proxy is hidden.
     setFocusProxy(m_model->empty() ? nullptr : m_view);
@@ -149,6 +157,10 @@ QString StructureTree::emptySentence() const {
 
 void StructureTree::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) retranslate();
+    if (event->type() == QEvent::FontChange) {
+        fitLetters();
+        refresh();
+    }
     QWidget::changeEvent(event);
 }
 

@@ -24,6 +24,7 @@ protected:
 
 private:
     void setUpView();
+    void fitLetters();
     void refresh();
     [[nodiscard]] std::shared_ptr<const TriangleStates> statesOfTruth() const;
     /// The row of the subject in hand where the active view is stepped, else of the picked object; invalid: there is none.
@@ -38,6 +39,7 @@ private:
     StructureModel* m_model;
     LongListView* m_view;
     QLabel* m_empty;
+    bool m_large = false;        ///< the letters of a lecture
     bool m_namesPlanes = false;  ///< a plane rejected a box since the tree was made anew
     bool m_following = false;
 };

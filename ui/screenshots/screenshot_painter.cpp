@@ -40,13 +40,12 @@ void paintSwatch(QPainter& painter, const LegendEntry& entry, const ScreenshotPl
     painter.restore();
 }
 
-void paintLegend(QPainter& painter, const ScreenshotPlan& plan, const std::vector<TiledPicture::Result>& pictures) {
-    const TriangleStatesPointer states = plan.legendPart < 0 ? nullptr : pictures[size_t(plan.legendPart)].states;
+void paintLegend(QPainter& painter, const ScreenshotPlan& plan) {
     painter.setPen(colourOf(contrastTo(plan.style.background)));
     for (const LegendEntry& entry : plan.legend) {
         paintSwatch(painter, entry, plan);
         std::optional<uint64_t> count;
-        if (entry.state && states) count = states->counts[size_t(*entry.state)];
+        if (entry.state && plan.counts) count = (*plan.counts)[size_t(*entry.state)];
         const QRect words = entry.place.adjusted(int((kSwatch + 6.0) * plan.unit), 0, 0, 0);
         painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
                          QFontMetrics(plan.font).elidedText(legendText(entry, count), Qt::ElideRight, words.width()));
@@ -69,7 +68,7 @@ QImage paintScreenshot(const ScreenshotPlan& plan, const std::vector<TiledPictur
     QPainter painter(&image);
     painter.setFont(plan.font);
     for (size_t i = 0; i < plan.parts.size(); ++i) paintPart(painter, plan, plan.parts[i], *pictures[i].picture);
-    paintLegend(painter, plan, pictures);
+    paintLegend(painter, plan);
     painter.setPen(colourOf(contrastTo(plan.style.background)));
     painter.drawText(plan.captionPlace, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, plan.caption);
     painter.end();

@@ -21,8 +21,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr Viewport kWidestSize{kMostPixels, kMostPixels};
-
 DrawStyle styleOf(const Session& session, ScreenshotOptions::Background background) {
     DrawStyle style = session.drawStyle();
     if (background == ScreenshotOptions::Background::Transparent) style.backgroundAlpha = 0.0f;
@@ -113,8 +111,11 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
     part.wanted.truth = shown.look.has(Show::Kind::Verdicts) && mayMeasure(shown) && !part.request.states;
     part.extras = scaled(extras(part.view), shown.size, size, unit);
     part.subject = subjectOf(session, part.view, part.request);
-    part.words = QStringLiteral("%1  %2 · %3")
-                     .arg(viewLetter(part.view), shownStrategy(session, part.view), metricsLine(session.figures(part.view)));
+    const ViewMetrics& figures = session.figures(part.view);
+    part.words =
+        QStringLiteral("%1  %2 · %3").arg(viewLetter(part.view), shownStrategy(session, part.view), metricsLine(figures));
+    if (figures.state == ViewMetrics::State::Ready && figuresSizes(session, session.shownViews()).size() > 1)
+        part.words += QStringLiteral(" · ") + pixelText(figures.size);
 }
 
 void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
@@ -155,16 +156,28 @@ std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& 
     return legend;
 }
 
-/// The index of the part whose counts the legend states: the first one coloured by verdict; -1 if such parts show the verdicts of
+/// The view whose counts the legend states: that of the parts that are coloured by verdict; none if they show the verdicts of
 /// different views, or if there are none.
-int legendPartOf(const Session& session, const std::vector<ScreenshotPlan::Part>& parts) {
-    int found = -1;
-    for (size_t i = 0; i < parts.size(); ++i) {
-        if (!parts[i].request.look.has(Show::Kind::Verdicts)) continue;
-        if (found >= 0 && session.culledBy(parts[size_t(found)].view) != session.culledBy(parts[i].view)) return -1;
-        if (found < 0) found = int(i);
+std::optional<int> countedView(const Session& session, const std::vector<ScreenshotPlan::Part>& parts) {
+    std::optional<int> found;
+    for (const ScreenshotPlan::Part& part : parts) {
+        // What a part of a frame or an open question shows is not what was measured.
+        if (!part.request.look.has(Show::Kind::Verdicts) || part.request.upTo || part.request.unanswered) continue;
+        if (found && session.culledBy(*found) != session.culledBy(part.view)) return std::nullopt;
+        if (!found) found = part.view;
     }
     return found;
+}
+
+/// A picture of another size decides anew which triangles it colours how. Its legend has the view's counts all the same, as its
+/// caption has the view's figures: all of one size, which both state.
+void addCounts(ScreenshotPlan& plan, const Session& session) {
+    const std::optional<int> view = countedView(session, plan.parts);
+    if (!view || plan.legend.empty()) return;
+    const ViewMetrics& figures = session.figures(*view);
+    if (figures.state != ViewMetrics::State::Ready || !figures.states) return;
+    plan.counts = figures.states->counts;
+    plan.legend.insert(plan.legend.begin(), {std::nullopt, Qt::transparent, legendHeading(figures.size), QRect()});
 }
 
 PictureMetadata metadataOf(Session& session, const ScreenshotOptions& options, const Viewport& size) {
@@ -182,13 +195,9 @@ ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options
     if (options.caption) plan.caption = options.captionText.isEmpty() ? madeCaption(session, options.grid) : options.captionText;
     for (const int view : viewsOf(session, options.grid)) plan.parts.push_back(shownPart(session, view, options.overlays));
     if (options.legend) plan.legend = legendOfParts(plan.parts, plan.style);
-    plan.legendPart = legendPartOf(session, plan.parts);
-    const bool counted = !plan.legend.empty() && plan.legendPart >= 0 && mayMeasure(plan.parts[size_t(plan.legendPart)].request);
-    // Reserve room for the widest heading: the size in it is known only after the layout.
-    if (counted) plan.legend.insert(plan.legend.begin(), {std::nullopt, Qt::transparent, legendHeading(kWidestSize), QRect()});
+    addCounts(plan, session);
     layOut(plan, options, session.scene()->triangleCount());
     for (ScreenshotPlan::Part& part : plan.parts) enlarge(part, plan, session, extras);
-    if (counted) plan.legend.front().words = legendHeading(plan.parts[size_t(plan.legendPart)].request.cullingSize);
     // A model in spherical coordinates has neither depths nor triangle numbers of a camera.
     if (keepsDepth && !options.grid) plan.parts.front().wanted.items = !plan.parts.front().request.look.inPlace();
     plan.metadata = metadataOf(session, options, plan.size);

@@ -42,7 +42,8 @@ struct ScreenshotPlan {
     DrawStyle style;
     std::vector<Part> parts;  ///< one view, or all shown views
     std::vector<LegendEntry> legend;
-    int legendPart = -1;  ///< index of the part that the legend's counts belong to; -1: there are no counts
+    /// The legend's counts: the view's figures, of the size that the caption states; none: there are no counts.
+    std::optional<std::array<uint64_t, kTriangleStateCount>> counts;
     QRect captionPlace;
     QString caption;
     PictureMetadata metadata;

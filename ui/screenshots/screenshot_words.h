@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 #include "ui/session/session.h"
 
@@ -8,6 +8,9 @@ namespace cullscope::ui {
 
 /// The strategy that a view shows, with its id and the parameters that are not at their defaults.
 [[nodiscard]] QString shownStrategy(const Session& session, int view);
+
+/// The picture sizes, each once, that the known figures of views were measured at.
+[[nodiscard]] QStringList figuresSizes(const Session& session, const std::vector<int>& views);
 
 /// The default caption of the active view or of all shown views: scene, strategy and metrics, with the picture size that these
 /// were measured at.

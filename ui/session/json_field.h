@@ -36,6 +36,7 @@ public:
     [[nodiscard]] bool boolean() const;
     [[nodiscard]] const std::string& text() const;
     [[nodiscard]] Vec3 vector() const;
+    [[nodiscard]] bool isText() const { return m_value->is_string(); }
     [[nodiscard]] bool isNull() const { return m_value->is_null(); }
 
     template <typename Enum>

@@ -123,9 +123,10 @@ void LessonPlayer::apply(const LessonStep& step) {
     emit shown(step);
 }
 
-LessonStep LessonPlayer::firstStep(int viewCount) {
+LessonStep LessonPlayer::firstStep(int viewCount, const std::optional<Viewport>& size) {
     LessonStep step = lessonFromText(resourceText(QLatin1String(kFirstWindow)), kFirstWindow).steps.front();
     step.state.viewCount = viewCount;
+    for (SessionState::View& view : step.state.views) view.setup.size = size;
     return step;
 }
 

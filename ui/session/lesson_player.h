@@ -47,8 +47,8 @@ public:
 
     /// Shows a step of no lesson, such as what the window begins with.
     void show(const LessonStep& step);
-    /// What a start shows, in so many views.
-    [[nodiscard]] static LessonStep firstStep(int viewCount);
+    /// What a start shows, in so many views with pictures of this size (none: they fit the window).
+    [[nodiscard]] static LessonStep firstStep(int viewCount, const std::optional<Viewport>& size = kUsualPictureSize);
 
 signals:
     /// Another step, or lesson, or none.

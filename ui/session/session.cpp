@@ -12,6 +12,8 @@ namespace cullscope::ui {
 
 namespace {
 
+constexpr int kRestOfHand = 150;  // ms; shorter than the rest before measuring
+
 SceneLoader::Opener openerFor(const Session::Options& options) {
     if (options.opener) return options.opener;
     return [source = options.sceneSource](const std::string& specification, const Progress& progress) {
@@ -42,7 +44,10 @@ Session::Session(Options options, QObject* parent)
         m_upload = std::make_unique<SceneUpload>(*m_gpu, options.uploader);
         makeGraphics();
     }
-    for (int view = 0; view < kMostViews; ++view) makeView(view);
+    for (int view = 0; view < kMostViews; ++view) {
+        m_views[size_t(view)].setup.size = options.pictureSize;
+        makeView(view);
+    }
     wantStrategies();
     m_rest.setSingleShot(true);
     m_rest.setInterval(options.restBeforeMeasuring);
@@ -65,6 +70,7 @@ Session::~Session() {
     for (ViewState& view : m_views) view.figures = {};
     // Finish work and deliveries of the GPU thread while that thread exists.
     m_pictures = nullptr;
+    m_moving = nullptr;
     m_meter = nullptr;
     m_upload = nullptr;
     if (m_gpu) m_gpu->run([] {});
@@ -73,7 +79,9 @@ Session::~Session() {
 
 void Session::makeGraphics() {
     m_meter = std::make_unique<ViewMeter>(*m_gpu, m_frames, m_structures, m_rounds);
-    m_pictures = std::make_unique<PictureMaker>(*m_gpu, kMostViews, m_frames, [this](int view) { return viewRequest(view); });
+    m_pictures = std::make_unique<PictureMaker>(*m_gpu, kMostViews, m_frames, [this](int view) { return pictureWish(view); });
+    m_moving = std::make_unique<MovingViews>(*m_gpu, kMostViews, kRestOfHand);
+    connect(m_moving.get(), &MovingViews::changed, this, &Session::update);
     connect(m_upload.get(), &SceneUpload::changed, this, [this] {
         emit buffersChanged();
         update();
@@ -95,6 +103,7 @@ void Session::makeGraphics() {
     });
     connect(m_pictures.get(), &PictureMaker::pictureMade, this, [this](int view) {
         m_views[size_t(view)].complained = false;
+        m_moving->made(view, *m_pictures->picture(view));
         emit pictureChanged(view);
         goOnSettling();
     });
@@ -192,6 +201,7 @@ void Session::showScene(const ScenePointer& scene) {
     for (uint32_t object = 0; object < m_hidden.size(); ++object)
         if (!m_hidden[object]) m_objects.push_back(object);
     if (m_upload) m_upload->setScene(scene);
+    if (m_moving) m_moving->setScene(scene);
     for (ViewState& view : m_views) view.slot->setScene(scene);
 }
 
@@ -335,6 +345,18 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     }
     limitToStep(request);
     return request.complete() ? std::optional(request) : std::nullopt;
+}
+
+std::optional<ViewRequest> Session::pictureWish(int view) const {
+    std::optional<ViewRequest> request = viewRequest(view);
+    if (!request || request->upTo || request->unanswered || request->look.inPlace()) return request;
+    request->coarse = m_moving ? m_moving->coarseFor(shownViews(), m_scene) : nullptr;
+    if (!request->coarse) return request;
+    // What is compared is compared with the whole picture, and what was measured is not of this one.
+    request->wipe = Wipe::Mode::None;
+    request->other = nullptr;
+    request->states = nullptr;
+    return request;
 }
 
 void Session::update() {

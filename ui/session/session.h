@@ -19,6 +19,7 @@
 #include "ui/jobs/strategy_slot.h"
 #include "ui/jobs/view_metrics.h"
 #include "ui/jobs/view_setup.h"
+#include "ui/session/moving_views.h"
 #include "ui/session/view_meter.h"
 
 namespace cullscope::ui {
@@ -73,10 +74,11 @@ public:
         SceneLoader::Opener opener;      ///< empty: core's openScene
         SceneUpload::Uploader uploader;  ///< empty: GpuThread::upload
         GpuThread::Options gpu;
-        TimingProtocol rounds = ViewMeter::protocol();  ///< of the views' speeds
-        int restBeforeMeasuring = 200;                  ///< ms without a change, after which the views are measured
-        int waitForStep = 100;                          ///< ms for a step's picture, before panels show the step without it
-        bool graphics = true;                           ///< false: no OpenGL, for tests of the rest
+        std::optional<Viewport> pictureSize = kUsualPictureSize;  ///< of all views at first; none: they fit the window
+        TimingProtocol rounds = ViewMeter::protocol();            ///< of the views' speeds
+        int restBeforeMeasuring = 200;                            ///< ms without a change, after which the views are measured
+        int waitForStep = 100;  ///< ms for a step's picture, before panels show the step without it
+        bool graphics = true;   ///< false: no OpenGL, for tests of the rest
     };
 
     /// Throws Error(OpenGl) if `options.graphics` is set and OpenGL 4.5 is not available.
@@ -145,6 +147,8 @@ public:
     [[nodiscard]] const Camera& viewingCamera(int view) const;
     /// Sets the shared camera for a linked view, else the view's own camera.
     void setViewingCamera(int view, const Camera& camera);
+    /// The same by the user's hand: pictures of a large scene may be coarse until the hand rests.
+    void moveViewingCamera(int view, const Camera& camera);
 
     // Pictures
     /// The size of a view in the window in device pixels; also its picture's size if that is fitted to the window.
@@ -163,6 +167,7 @@ public:
         return m_pictures && !slot(culledBy(view)).refused() ? m_pictures->picture(view) : nullptr;
     }
     [[nodiscard]] PictureMaker* pictures() { return m_pictures.get(); }
+    [[nodiscard]] MovingViews* moving() { return m_moving.get(); }
 
     // Stepping (stepper.h)
     [[nodiscard]] const std::optional<ShownStep>& step() const { return m_step; }
@@ -283,6 +288,7 @@ private:
     void makeGraphics();
     /// Has the strategies built that a shown view needs, and no others.
     void wantStrategies();
+    [[nodiscard]] std::optional<ViewRequest> pictureWish(int view) const;
     void makeView(int view);
     void tellRepairs();
     void nameInQuestion(uint64_t triangle, const Vec3& point);
@@ -297,6 +303,7 @@ private:
     void followWindow(int view);
     [[nodiscard]] Camera withClipPlanesFor(int view, const Camera& camera) const;
     [[nodiscard]] double aspect(int view) const;
+    [[nodiscard]] View cullingView(int view) const;
     void update();
     void updateFigures();
     void cancelFigures();  ///< ends the measurement under way; its views are not measured
@@ -328,6 +335,7 @@ private:
     ViewFramesPointer m_frames = std::make_shared<ViewFrames>();
     std::shared_ptr<StructureStore> m_structures = std::make_shared<StructureStore>();
     std::unique_ptr<ViewMeter> m_meter;
+    std::unique_ptr<MovingViews> m_moving;
     std::unique_ptr<PictureMaker> m_pictures;
     DrawStyle m_style;
 

@@ -102,14 +102,20 @@ void Session::setLinked(int view) {
     changeSetup(view, changed);
 }
 
+View Session::cullingView(int view) const {
+    constexpr Viewport kUntilItIsShown{4, 3};
+    const Viewport size =
+        setup(view).role == Role::Frozen ? setup(view).cullingSize.value_or(renderSize(view)) : renderSize(view);
+    return View(cullingCamera(view), size.width > 0 && size.height > 0 ? size : kUntilItIsShown);
+}
+
 void Session::observe(int view, int observed) {
     observed = culledBy(observed);
     if (observed == view) return;
     ViewSetup changed = setup(view);
     changed.role = Role::Observer;
     changed.observed = observed;
-    if (m_opened)
-        changed.viewing = observerCamera(cullingCamera(observed), m_opened->scene->boundingSphere(), m_up, aspect(view));
+    if (m_opened) changed.viewing = observerCamera(cullingView(observed), m_opened->scene->boundingSphere(), m_up, aspect(view));
     changeSetup(view, changed);
     if (m_opened) setViewingCamera(view, changed.viewing);
     m_views[size_t(view)].firstWatch = setup(view).viewing;
@@ -145,6 +151,11 @@ const Camera& Session::cullingCamera(int view) const {
 }
 
 const Camera& Session::viewingCamera(int view) const { return setup(view).role == Role::Linked ? m_camera : setup(view).viewing; }
+
+void Session::moveViewingCamera(int view, const Camera& camera) {
+    if (m_moving) m_moving->move();
+    setViewingCamera(view, camera);
+}
 
 void Session::setViewingCamera(int view, const Camera& camera) {
     if (setup(view).role == Role::Linked) {

@@ -18,6 +18,9 @@ constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wip
                             Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
                             Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
 
+constexpr const char* kFitsWindow = "window";
+constexpr std::array kSizeWords{Word<std::optional<Viewport>>{kFitsWindow, std::nullopt}};
+
 template <typename Enum, size_t Count>
 const char* wordOf(const std::array<Word<Enum>, Count>& words, Enum value) {
     for (const auto& [word, meaning] : words)
@@ -117,7 +120,7 @@ Json jsonOf(const ViewSetup& setup) {
               {"viewing", jsonOf(setup.viewing)},
               {"culling", jsonOf(setup.culling)}};
     if (setup.cullingSize) json["culling_size"] = jsonOf(*setup.cullingSize);
-    if (setup.size) json["size"] = jsonOf(*setup.size);
+    json["size"] = setup.size ? jsonOf(*setup.size) : Json(kFitsWindow);
     json["upload"] = wordOf(kUploads, setup.upload);
     if (!setup.below.empty()) json["below"] = setup.below;
     if (!setup.panel.empty()) json["panel"] = setup.panel;
@@ -133,7 +136,12 @@ ViewSetup readSetup(const JsonField& field) {
     if (const auto viewing = field.find("viewing")) setup.viewing = readCamera(*viewing);
     if (const auto culling = field.find("culling")) setup.culling = readCamera(*culling);
     if (const auto size = field.find("culling_size")) setup.cullingSize = readSize(*size);
-    if (const auto size = field.find("size")) setup.size = readSize(*size);
+    if (const auto size = field.find("size")) {
+        if (size->isText())
+            setup.size = size->oneOf<std::optional<Viewport>>(kSizeWords);
+        else
+            setup.size = readSize(*size);
+    }
     read(field, "upload", kUploads, setup.upload);
     if (const auto below = field.find("below")) setup.below = below->text();
     if (const auto panel = field.find("panel")) setup.panel = panel->text();

@@ -34,7 +34,7 @@ std::vector<TimeBar::Entry> timesOf(const std::vector<RunFigures>& runs) {
 std::vector<TimeBar::Entry> timesOf(const std::vector<LiveFigures>& views) {
     std::vector<TimeBar::Entry> entries;
     for (const LiveFigures& view : views) {
-        if (view.figures.state != ViewMetrics::State::Ready) continue;
+        if (view.figures.state != ViewMetrics::State::Ready || !view.figures.timed) continue;
         const double cull = view.figures.cullMilliseconds;
         entries.push_back({view.view + QStringLiteral(" · ") + runLabel(view.strategy), cull,
                            view.figures.frameMilliseconds - cull,

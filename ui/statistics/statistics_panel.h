@@ -69,6 +69,8 @@ public:
     void exportTo(File file, const std::filesystem::path& path);
 
     [[nodiscard]] ExperimentBar& bar() { return *m_bar; }
+    /// The experiment's result as far as it is there; none: there is none of this scene.
+    [[nodiscard]] const std::optional<MeasureResult>& result() const { return m_result; }
     [[nodiscard]] ResultTableModel& model() { return *m_model; }
     [[nodiscard]] HistoryModel& history() { return *m_history; }
     /// "fibonacci:16 · 320 × 240": path and size of a measurement.

@@ -82,6 +82,8 @@ QString millisecondsText(double milliseconds) {
     return QCoreApplication::translate("Wording", "%1 ms").arg(below + QLocale().toString(milliseconds, 'f', digits));
 }
 
+QString pixelText(const Viewport& size) { return QStringLiteral("%1 × %2").arg(size.width).arg(size.height); }
+
 QString bytesText(uint64_t bytes) { return QLocale().formattedDataSize(qint64(bytes), 1, QLocale::DataSizeSIFormat); }
 
 int lineHeight(const QFontMetrics& metrics) { return metrics.size(Qt::TextSingleLine, QStringLiteral("한中Åg")).height(); }

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include "core/measure/statistics.h"
+#include "core/scene/camera.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope::ui {
@@ -31,6 +32,8 @@ namespace cullscope::ui {
 [[nodiscard]] QString percentText(double share);
 [[nodiscard]] QString countText(uint64_t count);
 [[nodiscard]] QString millisecondsText(double milliseconds);
+/// A size in pixels: "640 × 480".
+[[nodiscard]] QString pixelText(const Viewport& size);
 [[nodiscard]] QString bytesText(uint64_t bytes);
 
 /// The height of a line in whichever of the window's languages, pixels: Korean and Chinese letters may come from a font that is

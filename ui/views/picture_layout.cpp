@@ -5,10 +5,23 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+/// A whole number is preferred down to this share of the length that would fit.
+constexpr double kLeastShareOfWhole = 0.85;
+
+/// Device pixels per picture pixel where `fitting` of them have room.
+double scaleFor(double fitting) {
+    const double whole = std::floor(fitting);
+    return whole >= kLeastShareOfWhole * fitting ? whole : fitting;
+}
+
+}  // namespace
+
 PictureLayout::PictureLayout(const QSizeF& place, double pixelRatio, const Viewport& picture) : m_picture(picture) {
     const QSizeF device(std::round(place.width() * pixelRatio), std::round(place.height() * pixelRatio));
     const double fitting = std::min(device.width() / picture.width, device.height() / picture.height);
-    m_scale = fitting >= 1.0 ? std::floor(fitting) : std::max(fitting, 1.0 / std::max(picture.width, picture.height));
+    m_scale = std::max(scaleFor(fitting), 1.0 / std::max(picture.width, picture.height));
     const QSizeF size(std::max(1.0, std::round(m_scale * picture.width)), std::max(1.0, std::round(m_scale * picture.height)));
     const QPointF corner(std::floor((device.width() - size.width()) / 2.0), std::floor((device.height() - size.height()) / 2.0));
     m_rect = QRectF(corner / pixelRatio, size / pixelRatio);

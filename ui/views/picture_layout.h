@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// The rectangle of a picture in its place in the window, letterboxed: in its own size, enlarged by a whole number if it fits, or
-/// reduced if it does not.
+/// The rectangle of a picture in its place in the window, letterboxed. It fits its place, or is enlarged by a whole number of
+/// device pixels where that leaves little of the place empty: then each of its pixels is a square of the screen's.
 class PictureLayout {
 public:
     /// `place` in window coordinates, each of which is `pixelRatio` device pixels.

@@ -1,6 +1,7 @@
 #include "ui/views/picture_painter.h"
 
 #include <QPainterPath>
+#include <cmath>
 
 #include "ui/views/model_painter.h"
 
@@ -10,7 +11,9 @@ namespace {
 
 constexpr double kLoupeZoom = 8.0;
 constexpr double kLoupeRadius = 72.0;
-constexpr double kPale = 0.65;  // opacity of the background colour over the picture under marks
+constexpr double kPale = 0.65;        // opacity of the background colour over the picture under marks
+constexpr double kAboutWhole = 1e-3;  // of a scale: so near to a whole number it is one
+constexpr int kMostEnlargement = 8;   // beyond it, differences of a pixel's sides are small
 constexpr QColor kWipeLine(255, 255, 255);
 constexpr QColor kLineEdge(0, 0, 0);
 
@@ -20,7 +23,7 @@ bool isPale(Wipe::Mode mode) { return mode == Wipe::Mode::Loss || mode == Wipe::
 
 /// Paints the picture and the one that it is compared with, without text.
 void paintLayers(QPainter& painter, const QRectF& target, const ViewPicture& picture, const Wipe& wipe) {
-    painter.drawImage(target, picture.colour);
+    paintScaled(painter, target, picture.colour);
     if (picture.other.isNull()) return;
     if (isPale(wipe.mode)) {
         QColor veil = colour(picture.request.style.background);
@@ -30,14 +33,14 @@ void paintLayers(QPainter& painter, const QRectF& target, const ViewPicture& pic
         if (picture.request.style.backgroundAlpha < 1.0f) painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);
         painter.fillRect(target, veil);
         painter.restore();
-        painter.drawImage(target, picture.marks);
+        paintScaled(painter, target, picture.marks);
         return;
     }
     painter.save();
     QRectF left = target;
     left.setWidth(target.width() * wipe.position);
     painter.setClipRect(left, Qt::IntersectClip);
-    painter.drawImage(target, picture.other);
+    paintScaled(painter, target, picture.other);
     painter.restore();
 }
 
@@ -98,10 +101,27 @@ void paintLoupe(QPainter& painter, const QRectF& target, const ViewPicture& pict
 
 }  // namespace
 
+void paintScaled(QPainter& painter, const QRectF& target, const QImage& image) {
+    const QTransform toDevice = painter.deviceTransform();
+    const double scale = target.width() * toDevice.m11() / image.width();
+    const int whole = int(std::ceil(scale - kAboutWhole));
+    const bool fraction = scale > 1.0 + kAboutWhole && std::abs(scale - std::round(scale)) * image.width() > 0.5;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, fraction || scale < 1.0 - kAboutWhole);
+    // With the nearest pixel it would have uneven sides, with a mean of four it would be blurred: it is enlarged by the next
+    // whole number first, and then reduced.
+    if (!fraction || whole > kMostEnlargement) return painter.drawImage(target, image);
+    // Only the part that is painted: a loupe shows little of the picture.
+    const QRectF seen = painter.hasClipping() ? target & painter.clipBoundingRect() : target;
+    const QTransform toImage = QTransform::fromTranslate(-target.left(), -target.top()) *
+                               QTransform::fromScale(image.width() / target.width(), image.height() / target.height());
+    const QRect part = toImage.mapRect(seen).toAlignedRect() & image.rect();
+    if (part.isEmpty()) return;
+    const QImage enlarged = image.copy(part).scaled(part.size() * whole);
+    painter.drawImage(toImage.inverted().mapRect(QRectF(part)), enlarged);
+}
+
 void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
     painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform,
-                          target.width() * painter.device()->devicePixelRatioF() < picture.request.size.width - 0.5);
     paintLayers(painter, target, picture, extras.wipe);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!picture.other.isNull() && !isPale(extras.wipe.mode)) paintWipeLine(painter, target, extras);

@@ -18,6 +18,10 @@ struct PictureExtras {
     double unit = 1.0;                 ///< scale of line widths and of the loupe: 1 in a window, more in a large screenshot
 };
 
+/// Paints the image of a picture into a rectangle so that its pixels stay crisp: reduced with the mean of what falls together,
+/// enlarged with even squares whose edges alone are mixed.
+void paintScaled(QPainter& painter, const QRectF& target, const QImage& image);
+
 /// Paints a picture into a rectangle, with wipe, loupe, marked loss and scales; used for the window and for screenshots. Text is
 /// in the painter's font.
 void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras);

@@ -72,9 +72,12 @@ PictureLayout SceneView::pictureLayout() const {
 
 View SceneView::camera() const { return View(m_session.viewingCamera(m_view), renderSize()); }
 
-bool SceneView::pictureIsCurrent() const { return m_session.pictures() && m_session.pictures()->isCurrent(m_view); }
+bool SceneView::showsPresentCamera() const { return m_session.pictures() && m_session.pictures()->isCurrent(m_view); }
+
+bool SceneView::pictureIsCurrent() const { return showsPresentCamera() && !m_session.picture(m_view)->request.coarse; }
 
 double SceneView::depthAt(const ViewPicture& picture, const QPointF& position) const {
+    if (picture.depth.empty()) return 0.0;
     const Viewport& size = picture.request.size;
     const Vec2 pixel = pixelAt(position);
     const int x = std::clamp(int(pixel.x), 0, size.width - 1);
@@ -82,14 +85,17 @@ double SceneView::depthAt(const ViewPicture& picture, const QPointF& position) c
     return picture.depth[size_t(y) * size_t(size.width) + size_t(x)];
 }
 
+std::optional<Vec3> SceneView::surfaceIn(const ViewPicture& picture, const QPointF& position) const {
+    const double depth = depthAt(picture, position);
+    return depth > 0.0 ? std::optional(pointUnder(camera(), pixelAt(position), depth)) : std::nullopt;
+}
+
 Vec3 SceneView::pointAt(const QPointF& position) const {
-    const ViewPicturePointer shown = m_session.picture(m_view);
-    const double depth = shown && pictureIsCurrent() ? depthAt(*shown, position) : 0.0;
-    return pointUnder(camera(), pixelAt(position), depth);
+    return shownSurfaceAt(position).value_or(pointUnder(camera(), pixelAt(position), 0.0));
 }
 
 std::optional<Vec3> SceneView::shownSurfaceAt(const QPointF& position) const {
-    return pictureIsCurrent() ? surfaceAt(position) : std::nullopt;
+    return showsPresentCamera() ? surfaceIn(*m_session.picture(m_view), position) : std::nullopt;
 }
 
 std::optional<double> SceneView::distanceAhead() const {
@@ -116,12 +122,9 @@ bool SceneView::showsNothing() const {
 double SceneView::pace() const { return m_input->pace(); }
 
 std::optional<Vec3> SceneView::surfaceAt(const QPointF& position) const {
+    if (pictureIsCurrent()) return shownSurfaceAt(position);
     const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view);
-    if (!wanted) return std::nullopt;
-    const ViewPicturePointer shown = pictureIsCurrent() ? m_session.picture(m_view) : m_session.pictures()->drawNow(*wanted);
-    const double depth = shown->depth.empty() ? 0.0 : depthAt(*shown, position);
-    if (depth <= 0.0) return std::nullopt;
-    return pointUnder(camera(), pixelAt(position), depth);
+    return wanted ? surfaceIn(*m_session.pictures()->drawNow(*wanted), position) : std::nullopt;
 }
 
 QImage SceneView::picture() const {
@@ -273,7 +276,7 @@ void SceneView::paintStep(QPainter& painter, const PictureLayout& layout) const 
     if (!shown || !step || m_session.question() || shown->request.look.inPlace()) return;
     if (!shown->ahead.isNull()) {
         painter.setOpacity(kAheadOpacity);
-        painter.drawImage(layout.rect(), shown->ahead);
+        paintScaled(painter, layout.rect(), shown->ahead);
         painter.setOpacity(1.0);
     }
     // Of a newer frame's subject nothing is known before the picture of that frame is there.

@@ -43,8 +43,10 @@ public:
     [[nodiscard]] bool showsNothing() const;
     /// The factor of the flying speed that the user has set.
     [[nodiscard]] double pace() const;
-    /// Whether the picture shows the present camera and strategy.
+    /// Whether the picture shows the present camera and strategy, and is whole.
     [[nodiscard]] bool pictureIsCurrent() const;
+    /// The same of a picture that may be coarse, because the camera is being moved.
+    [[nodiscard]] bool showsPresentCamera() const;
     /// The picture pixel (y upward) at a position in the widget.
     [[nodiscard]] Vec2 pixelAt(const QPointF& position) const { return pictureLayout().pixelAt(position); }
     /// The view through the present viewing camera.
@@ -108,6 +110,7 @@ private:
     void paintStep(QPainter& painter, const PictureLayout& layout) const;
     void moveLoupe(const QPointF& position);
     void endLoupe();
+    [[nodiscard]] std::optional<Vec3> surfaceIn(const ViewPicture& picture, const QPointF& position) const;
     [[nodiscard]] double depthAt(const ViewPicture& picture, const QPointF& position) const;
 
     Session& m_session;

@@ -1,5 +1,6 @@
 #include "ui/views/view_header.h"
 
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 
@@ -66,6 +67,12 @@ void ViewHeader::setLetters(int pixels) {
     update();
 }
 
+void ViewHeader::setScale(double scale) {
+    if (scale == m_scale) return;
+    m_scale = scale;
+    refresh();
+}
+
 void ViewHeader::setFiguresHidden(bool hidden) {
     m_figuresHidden = hidden;
     setFixedHeight(sizeHint().height());
@@ -117,6 +124,22 @@ QString ViewHeader::secondLine(const QFontMetrics& metrics, int width) const {
     return tr("step %1 · %2", "of a narrow view, figures").arg(countText(step->step), metricsLine(m_session.figures(m_view)));
 }
 
+QStringList ViewHeader::sizeTexts() const {
+    const Viewport size = m_session.renderSize(m_view);
+    if (!m_session.opened() || size.width < 1) return {};
+    const QString pixels = pixelText(size);
+    //: Of a picture: its size in pixels, and how large the window shows it.
+    return {tr("%1 · at %2 %", "size, percent").arg(pixels, QLocale().toString(100.0 * m_scale, 'f', 0)), pixels};
+}
+
+QString ViewHeader::sizeSentence() const {
+    const QString pixels = pixelText(m_session.renderSize(m_view));
+    if (!m_session.setup(m_view).size)
+        return tr("Picture and figures: %1 pixels, which fit the window: figures change with it").arg(pixels);
+    return tr("Picture and figures: %1 pixels, shown at %2 %; figures do not change with the window")
+        .arg(pixels, QLocale().toString(100.0 * m_scale, 'f', 0));
+}
+
 void ViewHeader::refresh() {
     const ViewMetrics& figures = m_session.figures(m_view);
     m_measure->setText(tr("Measure"));
@@ -129,6 +152,7 @@ void ViewHeader::refresh() {
                       translated(info().description)};
     if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
     const QString details = metricsDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
+    if (m_session.opened()) lines << sizeSentence();
     if (!details.isEmpty() && !m_session.question()) lines << details;
     setToolTip(wrappedTip(lines.join(QLatin1Char('\n'))));
     setAccessibleName(
@@ -222,7 +246,15 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     painter.setFont(face(ready && figures.lostPixels() > 0));
     painter.setPen(ready ? colours.color(QPalette::WindowText) : subdued(colours));
     const QRect second(kMargin, m_lineHeight, width() - 2 * kMargin, m_lineHeight);
-    write(painter, second, secondLine(painter.fontMetrics(), second.width()));
+    const QString text = secondLine(painter.fontMetrics(), second.width());
+    write(painter, second, text);
+    if (!m_measure->isHidden()) return;
+    const int room = second.width() - painter.fontMetrics().horizontalAdvance(text) - 2 * kMargin;
+    painter.setFont(face(false));
+    painter.setPen(subdued(colours));
+    for (const QString& size : sizeTexts())
+        if (painter.fontMetrics().horizontalAdvance(size) <= room)
+            return painter.drawText(second, Qt::AlignRight | Qt::AlignVCenter, size);
 }
 
 void ViewHeader::resizeEvent(QResizeEvent*) { placeButton(); }

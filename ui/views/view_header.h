@@ -19,6 +19,8 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {320, (m_figuresHidden ? 1 : 2) * m_lineHeight}; }
     /// Letters of so many pixels, for a lecture; 0: the usual ones.
     void setLetters(int pixels);
+    /// The size of the picture and how large it is shown: device pixels of the screen per picture pixel.
+    void setScale(double scale);
     /// Leaves out the second line.
     void setFiguresHidden(bool hidden);
     [[nodiscard]] QString firstLine() const;
@@ -67,12 +69,16 @@ private:
     [[nodiscard]] std::optional<Promise> promise() const;
     [[nodiscard]] const StrategyInfo& info() const;
     [[nodiscard]] QString roleWord() const;
+    /// The picture's size and its scale for the end of the second line, the longer text first.
+    [[nodiscard]] QStringList sizeTexts() const;
+    [[nodiscard]] QString sizeSentence() const;
 
     Session& m_session;
     int m_view;
     QToolButton* m_measure;
     QToolButton* m_menu;
     int m_lineHeight = kLineHeight;
+    double m_scale = 1.0;
     bool m_figuresHidden = false;
     bool m_elided = false;
 };

@@ -128,15 +128,15 @@ void ViewInput::move(const QMouseEvent& event) {
     const Camera& camera = m_session.viewingCamera(m_view.view());
     switch (m_drag) {
         case Drag::Turn:
-            m_session.setViewingCamera(
+            m_session.moveViewingCamera(
                 m_view.view(), turnedAbout(camera, m_session.upAxis(), m_pivot.value_or(camera.target), azimuth, elevation));
             break;
         case Drag::Look:
-            m_session.setViewingCamera(m_view.view(), looked(camera, m_session.upAxis(), azimuth * 0.5, elevation * -0.5));
+            m_session.moveViewingCamera(m_view.view(), looked(camera, m_session.upAxis(), azimuth * 0.5, elevation * -0.5));
             break;
         case Drag::Pan:
-            m_session.setViewingCamera(m_view.view(), panned(m_view.camera(), m_grabbedDistance, m_view.pixelAt(m_last),
-                                                             m_view.pixelAt(event.position())));
+            m_session.moveViewingCamera(m_view.view(), panned(m_view.camera(), m_grabbedDistance, m_view.pixelAt(m_last),
+                                                              m_view.pixelAt(event.position())));
             break;
         case Drag::Region:
             m_view.setRegion(QRectF(m_pressed, event.position()).normalized());
@@ -175,7 +175,7 @@ std::optional<Vec3> ViewInput::axisAt(const QPointF& position) const {
 void ViewInput::click(const QPointF& position) {
     if (const std::optional<Vec3> direction = axisAt(position)) {
         const Camera& camera = m_session.viewingCamera(m_view.view());
-        m_session.setViewingCamera(m_view.view(), seenFrom(camera, m_session.upAxis(), *direction));
+        m_session.moveViewingCamera(m_view.view(), seenFrom(camera, m_session.upAxis(), *direction));
         return;
     }
     const Vec2 pixel = m_view.pixelAt(position);
@@ -187,7 +187,7 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_session.opened() || axisAt(event.position())) return;
     // There is no centre of rotation where no surface is drawn.
     if (const std::optional<Vec3> point = m_view.surfaceAt(event.position()))
-        m_session.setViewingCamera(m_view.view(), centredOn(m_view.camera(), *point));
+        m_session.moveViewingCamera(m_view.view(), centredOn(m_view.camera(), *point));
 }
 
 void ViewInput::wheel(QWheelEvent& event) {
@@ -198,15 +198,16 @@ void ViewInput::wheel(QWheelEvent& event) {
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     const Camera& camera = m_session.viewingCamera(m_view.view());
     if (event.modifiers().testFlag(Qt::ControlModifier)) {
+        if (m_session.moving()) m_session.moving()->move();
         m_session.setChosenNear(camera.nearDistance * std::pow(kNearPerNotch, notches));
     } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        m_session.setViewingCamera(m_view.view(), withFovy(camera, std::pow(kFovyPerNotch, -notches)));
+        m_session.moveViewingCamera(m_view.view(), withFovy(camera, std::pow(kFovyPerNotch, -notches)));
     } else {
         // Zooming keeps the point under the pointer: reuse it until the next picture is drawn.
-        if (m_view.pictureIsCurrent() || m_zoomPosition != event.position()) m_zoomPoint = m_view.pointAt(event.position());
+        if (m_view.showsPresentCamera() || m_zoomPosition != event.position()) m_zoomPoint = m_view.pointAt(event.position());
         m_zoomPosition = event.position();
         const double radius = m_session.opened()->scene->boundingSphere().radius;
-        m_session.setViewingCamera(m_view.view(), zoomed(camera, m_zoomPoint, std::pow(kZoomPerNotch, notches), radius));
+        m_session.moveViewingCamera(m_view.view(), zoomed(camera, m_zoomPoint, std::pow(kZoomPerNotch, notches), radius));
     }
 }
 
@@ -248,8 +249,8 @@ bool ViewInput::keyPress(const QKeyEvent& event) {
         case Qt::Key_Minus: {
             const double factor = event.key() == Qt::Key_Minus ? 1.0 / kZoomPerNotch : kZoomPerNotch;
             const double radius = m_session.opened()->scene->boundingSphere().radius;
-            m_session.setViewingCamera(m_view.view(), zoomed(m_session.viewingCamera(m_view.view()),
-                                                             m_session.viewingCamera(m_view.view()).target, factor, radius));
+            m_session.moveViewingCamera(m_view.view(), zoomed(m_session.viewingCamera(m_view.view()),
+                                                              m_session.viewingCamera(m_view.view()).target, factor, radius));
             return true;
         }
         default:
@@ -259,10 +260,11 @@ bool ViewInput::keyPress(const QKeyEvent& event) {
     if (shift) {
         const double distance = glm::length(camera.target - camera.eye);
         const Vec2 step = kPixelsPerKey * Vec2(way.x(), -way.y());
-        m_session.setViewingCamera(m_view.view(), panned(m_view.camera(), distance, Vec2(0.0), step));
+        m_session.moveViewingCamera(m_view.view(), panned(m_view.camera(), distance, Vec2(0.0), step));
     } else {
-        m_session.setViewingCamera(m_view.view(), turned(camera, m_session.upAxis(), Angle::fromDegrees(kDegreesPerKey * way.x()),
-                                                         Angle::fromDegrees(-kDegreesPerKey * way.y())));
+        m_session.moveViewingCamera(m_view.view(),
+                                    turned(camera, m_session.upAxis(), Angle::fromDegrees(kDegreesPerKey * way.x()),
+                                           Angle::fromDegrees(-kDegreesPerKey * way.y())));
     }
     return true;
 }
@@ -303,7 +305,7 @@ void ViewInput::fly() {
     const auto held = [this](int key) { return m_keys.contains(key) ? 1.0 : 0.0; };
     const Vec3 step(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q), held(Qt::Key_W) - held(Qt::Key_S));
     m_flown = m_flown || step != Vec3(0.0);
-    if (step != Vec3(0.0)) m_session.setViewingCamera(m_view.view(), flown(m_view.camera(), length * step));
+    if (step != Vec3(0.0)) m_session.moveViewingCamera(m_view.view(), flown(m_view.camera(), length * step));
 }
 
 }  // namespace cullscope::ui

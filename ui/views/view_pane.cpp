@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kChipInset = 8;
 constexpr double kPictureOverStrip = 0.55;  // its share of the height that a strip leaves
-constexpr double kUsualScale = 1.0;
 constexpr double kUsualPace = 1.0;
 
 }  // namespace
@@ -80,25 +79,23 @@ QString ViewPane::chipText() const {
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
     if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (shown && shown->request.coarse)
+        parts << tr("coarse while it moves: %1 of %2 triangles, by object")
+                     .arg(countText(shown->request.coarse->scene().triangleCount()),
+                          countText(shown->request.buffers->scene().triangleCount()));
     if (m_picture->showsNothing()) parts << tr("nothing in view: Home");
     parts << lensParts();
     if (m_picture->pace() != kUsualPace)
         parts << tr("flying speed × %1 ([ and ])").arg(QLocale().toString(m_picture->pace(), 'g', 3));
-    const double scale = m_picture->pictureLayout().scale();
-    if (setup.size && std::abs(scale - kUsualScale) > 1e-6)
-        parts << tr("%1 × %2 shown at %3 %")
-                     .arg(setup.size->width)
-                     .arg(setup.size->height)
-                     .arg(QLocale().toString(100.0 * scale, 'f', 0));
     if (setup.look.has(Show::Kind::Wireframe) && !setup.look.inPlace()) parts << tr("wireframe; figures of the filled picture");
     if (setup.upload == Upload::VertexArray) parts << tr("vertex arrays");
     const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
     if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);
-    const ViewPicturePointer shown = m_session.picture(m_view);
     const PictureExtras extras = m_picture->extras();
-    if (shown && extras.wipe.mode == Wipe::Mode::Loss)
+    if (shown && shown->request.wipe == Wipe::Mode::Loss)
         parts << tr("missed pixels: %1, nearer than the truth: %2").arg(countText(shown->missed), countText(shown->added));
-    if (shown && extras.wipe.mode == Wipe::Mode::Difference)
+    if (shown && shown->request.wipe == Wipe::Mode::Difference)
         parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(extras.wipe.other));
     if (const QString sets = visibleSets(); !sets.isEmpty()) parts << sets;
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
@@ -117,6 +114,7 @@ void ViewPane::refresh() {
 }
 
 void ViewPane::refreshChip() {
+    m_header->setScale(m_picture->pictureLayout().scale());
     const QString text = chipText();
     m_chip->setText(text);
     m_chip->setVisible(!text.isEmpty());

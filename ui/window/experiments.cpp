@@ -131,7 +131,10 @@ void Experiments::end() {
 void Experiments::goToPose(int pose) {
     if (!m_result || pose < 0) return;
     const CameraPath& path = m_result->request.path;
-    if (size_t(pose) < path.poses.size()) m_session.setCamera(path.camera(size_t(pose)));
+    if (size_t(pose) >= path.poses.size()) return;
+    // Figures of another size would be others.
+    m_session.setPictureSize(m_session.shownViews(), m_result->request.size);
+    m_session.setCamera(path.camera(size_t(pose)));
 }
 
 void Experiments::showLive(StatisticsPanel& panel) const {

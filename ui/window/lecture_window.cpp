@@ -341,10 +341,12 @@ void LectureWindow::refresh() {
 void LectureWindow::showFigures() {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool ready = figures.state == ViewMetrics::State::Ready && !m_session.question();
-    const QString none = QStringLiteral("…");
+    // A dash where no figure is under way.
+    const bool due = figures.state == ViewMetrics::State::Stale || (ready && !figures.timed);
+    const QString none = due ? QStringLiteral("…") : QStringLiteral("–");
     m_numbers[0]->setText(tr("Speed: %1").arg(ready && figures.speedup ? speedText(*figures.speedup) : none));
     m_numbers[1]->setText(tr("Submitted: %1").arg(ready ? percentText(figures.submittedShare()) + QStringLiteral(" %") : none));
-    m_numbers[2]->setText(tr("Missed: %1").arg(ready ? countText(figures.accuracy.missedPixels) : none));
+    m_numbers[2]->setText(tr("Missed: %1").arg(ready ? countText(figures.lostPixels()) : none));
     for (QLabel* number : m_numbers) number->setVisible(m_revealed && !m_blank);
     m_ask->setText(tr("How fast, and what is lost? (R)"));
     m_ask->setVisible(!m_revealed && !m_blank);

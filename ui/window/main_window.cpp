@@ -22,6 +22,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kNarrowestDock = 320;
+constexpr int kLegendMargin = 9;  // as that of the panels above it
 constexpr int kMenuMargins = 6;
 constexpr int kToolBarMargins = 18;
 constexpr int kScenePage = 1;
@@ -137,8 +138,11 @@ void MainWindow::makeDocks() {
     m_dock = new QDockWidget(this);
     m_dock->setObjectName(QStringLiteral("inside"));
     m_dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    auto* inside = new QWidget(m_dock);
+    auto* column = new QVBoxLayout(inside);
+    column->setContentsMargins(0, 0, 0, 0);
     // Scrolls, so that the contents of the dock never determine the size of the window.
-    m_dockScroll = new QScrollArea(m_dock);
+    m_dockScroll = new QScrollArea(inside);
     m_dockScroll->setWidgetResizable(true);
     m_dockScroll->setFrameShape(QFrame::NoFrame);
     m_dockScroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -151,17 +155,20 @@ void MainWindow::makeDocks() {
     m_figures->setObjectName(QStringLiteral("figures"));
     m_tabs->insertTab(0, m_figures, QString());
     m_tabs->setCurrentIndex(0);
-    m_legend = new LegendPanel(m_session, content);
     m_answers = new QWidget(content);
     auto* answers = new QVBoxLayout(m_answers);
     answers->setContentsMargins(0, 0, 0, 0);
     answers->addWidget(m_structure, 1);
-    answers->addWidget(m_legend);
     layout->addWidget(m_answers, 1);
     layout->addWidget(m_questionTree = new QuestionTree(m_session, *m_reader, m_steps->questions(), content), 1);
     m_dockScroll->setWidget(content);
     m_dockScroll->setMinimumWidth(kNarrowestDock);
-    m_dock->setWidget(m_dockScroll);
+    column->addWidget(m_dockScroll, 1);
+    // Below what scrolls: what the colours mean and what to do next are always in sight.
+    m_legend = new LegendPanel(m_session, inside);
+    m_legend->setContentsMargins(kLegendMargin, 0, kLegendMargin, kLegendMargin);
+    column->addWidget(m_legend);
+    m_dock->setWidget(inside);
     addDockWidget(Qt::RightDockWidgetArea, m_dock);
     m_experiments = new Experiments(m_session, this);
     m_statistics = new StatisticsDock(*m_experiments, this);
@@ -251,6 +258,7 @@ void MainWindow::wireSession() {
     // What the panels show would answer an open question.
     connect(&m_session, &Session::questionChanged, this, [this] {
         m_answers->setVisible(!m_session.question());
+        m_legend->setVisible(!m_session.question());
         m_statistics->widget()->setVisible(!m_session.question());
     });
     connect(m_legend, &LegendPanel::lessonRequested, this, [this] { m_lessons->player().begin(LessonPlayer::known().front()); });

@@ -105,6 +105,7 @@ bool MainWindow::restoreLayout(bool viewCount) {
     m_arrangedCompare = kept->viewCount > 2;
     m_floatingDocks->adopt(*m_arrangedCompare);
     if (viewCount) m_session.setViewCount(kept->viewCount);
+    m_viewCommands->restoreSize();
     arrange();
     showRightRail();
     return true;

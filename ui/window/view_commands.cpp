@@ -4,12 +4,13 @@
 #include <QGuiApplication>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "ui/dialogs/size_dialog.h"
 #include "ui/session/cullbench_command.h"
 #include "ui/session/named_views.h"
 #include "ui/session/object_pick.h"
 #include "ui/window/placed_panels.h"
+#include "ui/window/size_options.h"
 
 namespace cullscope::ui {
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr const char* kAxesSetting = "axes";
 constexpr int kWidestName = 240;  // pixels, of an object in a menu
+constexpr const char* kSizeSetting = "picture_size";
 
 }  // namespace
 
@@ -29,6 +31,8 @@ ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& act
     connect(&session, &Session::setupChanged, this, &ViewCommands::refresh);
     connect(&session, &Session::viewCountChanged, this, &ViewCommands::refresh);
     connect(&session, &Session::metricsChanged, this, &ViewCommands::refresh);
+    connect(m_actions.pictureSize, &QMenu::aboutToShow, this, &ViewCommands::fillSizes);
+    fillSizes();
     connect(&views, &ViewGrid::menuRequested, this, &ViewCommands::showMenuOf);
     refresh();
 }
@@ -119,10 +123,23 @@ void ViewCommands::copyPicture(int view, bool overlays) {
     if (!picture.isNull()) QGuiApplication::clipboard()->setImage(picture);
 }
 
-void ViewCommands::askForSize(int view) {
-    SizeDialog dialog(m_session.renderSize(view), m_window);
-    if (dialog.exec() != QDialog::Accepted) return;
-    m_session.setPictureSize({view}, dialog.size());
+void ViewCommands::fillSizes() {
+    m_actions.pictureSize->clear();
+    const int view = m_session.activeView();
+    addSizeOptions(*m_actions.pictureSize, m_session.setup(view).size, m_session.renderSize(view), [this](const auto& size) {
+        setSizeOfAll(size);
+        m_settings.setValue(QLatin1String(kSizeSetting), pictureSizeText(size));
+    });
+}
+
+void ViewCommands::setSizeOfAll(const std::optional<Viewport>& size) {
+    std::vector<int> all(Session::kMostViews);
+    std::iota(all.begin(), all.end(), 0);
+    m_session.setPictureSize(all, size);
+}
+
+void ViewCommands::restoreSize() {
+    if (const auto kept = pictureSizeFromText(m_settings.value(QLatin1String(kSizeSetting)).toString())) setSizeOfAll(*kept);
 }
 
 void ViewCommands::fillMenu(QMenu& menu, int view) {
@@ -132,7 +149,7 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
     filler.addCameras();
     filler.addLook();
     filler.addComparisons();
-    filler.addSizes([this, view] { askForSize(view); });
+    filler.addSizes();
     filler.addUploads();
     filler.addPanels(PlacedPanels::known(), PlacedPanels::knownBelow());
     menu.addSeparator();

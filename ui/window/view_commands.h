@@ -23,13 +23,16 @@ public:
     void showMenuOf(int view, const QPoint& position);
     /// Copies the picture of a view to the clipboard; `overlays`: with its overlays.
     void copyPicture(int view, bool overlays);
+    /// Gives all pictures the size that was chosen for all at an earlier start.
+    void restoreSize();
 
 private:
     void refresh();
     void addObject(QMenu& menu, uint32_t object);
     /// Changes the active view's setup.
     void edit(const std::function<void(ViewSetup&)>& change);
-    void askForSize(int view);
+    void fillSizes();
+    void setSizeOfAll(const std::optional<Viewport>& size);
     /// A shown view that watches the culling of the active one from outside; none: there is none.
     [[nodiscard]] std::optional<int> watcher() const;
     void watch(bool on);

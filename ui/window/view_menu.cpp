@@ -6,17 +6,10 @@
 #include "core/visibility/built_strategy.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "ui/window/size_options.h"
 #include "ui/window/window_actions.h"
 
 namespace cullscope::ui {
-
-namespace {
-
-constexpr std::array kUsualSizes{Viewport{320, 240}, Viewport{640, 480}, Viewport{1280, 720}};
-
-QString pixelText(const Viewport& size) { return QStringLiteral("%1 × %2").arg(size.width).arg(size.height); }
-
-}  // namespace
 
 QAction* ViewMenu::option(QMenu& menu, const QString& text, bool checked, std::function<void()> choose) {
     QAction* action = menu.addAction(text);
@@ -121,20 +114,11 @@ void ViewMenu::addComparisons() {
     for (QAction* action : menu->actions()) needsCameraPicture(action);
 }
 
-void ViewMenu::addSizes(const std::function<void()>& askForSize) {
+void ViewMenu::addSizes() {
     QMenu* menu = addChoice(tr("Picture size"));
     const std::optional<Viewport>& size = setup().size;
-    const auto sizeAction = [&](const QString& text, const std::optional<Viewport>& wanted) {
-        option(*menu, text, size == wanted,
-               [session = &m_session, view = view(), wanted] { session->setPictureSize({view}, wanted); });
-    };
-    sizeAction(tr("Fits the window"), std::nullopt);
-    bool usual = !size;
-    for (const Viewport& one : kUsualSizes) {
-        usual = usual || size == one;
-        sizeAction(pixelText(one), one);
-    }
-    option(*menu, usual ? tr("Other…") : tr("Other (%1)…").arg(pixelText(*size)), !usual, askForSize);
+    addSizeOptions(*menu, size, m_session.renderSize(view()),
+                   [session = &m_session, view = view()](const auto& wanted) { session->setPictureSize({view}, wanted); });
     menu->addSeparator();
     QObject::connect(menu->addAction(tr("The same in all views")), &QAction::triggered, menu, [session = &m_session, size] {
         std::vector<int> all(Session::kMostViews);

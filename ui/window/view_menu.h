@@ -29,7 +29,7 @@ public:
     void addCameras();
     void addLook();
     void addComparisons();
-    void addSizes(const std::function<void()>& askForSize);
+    void addSizes();
     void addUploads();
     void addPanels(const std::vector<PlaceablePanel>& panels, const std::vector<PlaceablePanel>& below);
 

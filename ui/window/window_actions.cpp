@@ -37,8 +37,9 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     upAxis = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &lookFrom, &panels, &m_fileMenu,
-                         &m_viewMenu, &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
+    for (QMenu** menu :
+         {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &lookFrom, &pictureSize, &panels, &m_fileMenu,
+          &m_viewMenu, &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
     makeView();
@@ -184,6 +185,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addMenu(lookFrom);
     m_viewMenu->addAction(almostParallel);
     m_viewMenu->addMenu(bookmarks);
+    m_viewMenu->addMenu(pictureSize);
     m_viewMenu->addMenu(m_upMenu);
     m_upMenu->addActions(upAxis->actions());
     m_viewMenu->addSeparator();
@@ -331,6 +333,7 @@ void WindowActions::retranslateView() {
     lookFrom->setTitle(tr("Look &from"));
     say(almostParallel, tr("Al&most parallel"),
         tr("A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale"));
+    pictureSize->setTitle(tr("Picture si&ze"));
     panels->setTitle(tr("&Panels"));
     say(oneView, tr("&1 view"), tr("Show one view"));
     say(twoViews, tr("&2 views"), tr("Show two views beside each other"));

@@ -129,7 +129,10 @@ TEST(Compare, eightViewsInKoreanAreLegibleOnTheLeastScreen) {
         // Zoom in, so that the strategy misses pixels.
         desktop.session.setCamera(zoomed(desktop.session.camera(), desktop.session.camera().target, 0.6, 1.0));
         desktop.settle();
-        for (int view = 0; view < 8; ++view) EXPECT_EQ(desktop.scene(view).size(), QSize(320, 240)) << "view " << view;
+        for (int view = 0; view < 8; ++view) {
+            EXPECT_EQ(desktop.scene(view).size(), QSize(640, 480)) << "view " << view;
+            EXPECT_EQ(desktop.view(view).pictureLayout().rect().size(), QSizeF(320, 240)) << "view " << view;
+        }
         const Look look = desktop.look();
         expectLegible(desktop, look);
         EXPECT_TRUE(looksAsKept(look, QStringLiteral("eight-views-ko-") + Appearance::id(appearance)));

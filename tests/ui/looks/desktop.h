@@ -19,6 +19,13 @@ struct Desktop {
         bool open = true;                       ///< false: opens no scene
     };
 
+    /// As a start gives them.
+    static Session::Options withUsualPictures() {
+        Session::Options options = sessionOptions(true);
+        options.pictureSize = Session::Options().pictureSize;
+        return options;
+    }
+
     explicit Desktop(const Start& start);
     Desktop();
 
@@ -37,7 +44,7 @@ struct Desktop {
 
     Language language;
     Appearance appearance;
-    Session session{sessionOptions(true)};
+    Session session{withUsualPictures()};
     MainWindow window;
 };
 

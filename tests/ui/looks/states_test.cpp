@@ -9,10 +9,13 @@
 #include <QTableView>
 #include <QTemporaryDir>
 
+#include "core/scene/camera_moves.h"
 #include "tests/ui/looks/desktop.h"
+#include "tests/ui/looks/kept_picture.h"
 #include "tests/ui/looks/shown_texts.h"
 #include "ui/dialogs/generate_dialog.h"
 #include "ui/dialogs/help_window.h"
+#include "ui/panels/path_bar.h"
 
 namespace cullscope::ui::states_test {
 namespace {
@@ -51,6 +54,36 @@ TEST(States, beforeASceneIsOpenedTheWindowInvites) {
     }
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("empty")));
     EXPECT_EQ(cut(desktop), QStringList());
+}
+
+TEST(States, thePathBarCutsNoTextWhileItRecordsAndStepsInAnyLanguage) {
+    for (const char* language : {"en", "ko", "zh_CN"}) {
+        Desktop desktop({.size = {1280, 720}, .language = QString::fromLatin1(language)});
+        auto* bar = desktop.window.findChild<PathBar*>();
+        ASSERT_TRUE(bar);
+        WindowActions& actions = desktop.window.actions();
+        actions.record->trigger();
+        for (int pose = 0; pose < 12; ++pose)
+            desktop.session.setCamera(turned(desktop.session.camera(), UpAxis::Y, Angle::fromDegrees(7.0), {})),
+                actions.addPose->trigger();
+        desktop.settle();
+        ASSERT_TRUE(bar->isVisible());
+        const auto expectWhole = [&](const char* state) {
+            EXPECT_EQ(cutTexts(*bar), QStringList()) << language << ", " << state;
+            const QRect place(bar->mapTo(&desktop.window, QPoint()), bar->size());
+            EXPECT_TRUE(desktop.window.rect().contains(place)) << language << ", " << state;
+            EXPECT_GE(bar->width(), bar->minimumSizeHint().width()) << language << ", " << state;
+            EXPECT_EQ(desktop.window.size(), QSize(1280, 720)) << language << ", " << state;
+            bar->grab().save(QStringLiteral("%1/path-bar-%2-%3.png")
+                                 .arg(writtenPicturesFolder(), QLatin1String(language), QLatin1String(state)));
+        };
+        expectWhole("recording");
+        actions.record->trigger();
+        actions.poseBack->trigger();
+        desktop.settle();
+        ASSERT_TRUE(bar->isVisible());
+        expectWhole("stepping");
+    }
 }
 
 /// Measures over a short path by the statistics' own button.
