@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QTemporaryDir>
 
 #include "tests/ui/test_scene.h"
@@ -133,12 +131,6 @@ TEST_F(WindowLayout, coloursAreExplainedWhereverThePanelInsideIsFolded) {
         }
         program.session.setViewCount(2);
         EXPECT_FALSE(inSight());
-        // A map of directions takes the place that the legend has without one.
-        for (const int view : {0, 1}) program.session.slot(view).choose("spherical");
-        const auto& scroll = *program.dock("inside").findChild<QScrollArea*>();
-        ASSERT_TRUE(waitUntil([&] { return program.window.structurePanel().map().isVisible(); }));
-        ASSERT_TRUE(
-            waitUntil([&] { return program.window.legendStrip().isVisible() == (scroll.verticalScrollBar()->maximum() > 0); }));
         program.dock("inside").close();
         EXPECT_TRUE(inSight()) << "the panel is closed";
     }

@@ -2,8 +2,6 @@
 #include "ui/window/main_window.h"
 
 #include <QDockWidget>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace cullscope::ui {
@@ -40,17 +38,12 @@ void MainWindow::wireLegend() {
                               &Session::questionChanged, &Session::stepChanged})
         connect(&m_session, signal, this, &MainWindow::explainColours);
     connect(&m_session, &Session::setupChanged, this, &MainWindow::explainColours);
-    // Queued: a layout must not change another one while it is made.
-    connect(m_dockScroll->verticalScrollBar(), &QScrollBar::rangeChanged, this, &MainWindow::explainColours,
-            Qt::QueuedConnection);
     connect(&m_language, &Language::changed, this, &MainWindow::explainColours);
 }
 
-/// Where the panel "Inside" with its legend is folded, floats, or is too low to show all of it, a row below the views explains
-/// their colours.
+/// Where the panel "Inside" with its legend is folded or floats, a row below the views explains their colours.
 void MainWindow::explainColours() {
-    const bool folded =
-        m_floatingDocks->floating() || !m_dock->isVisibleTo(this) || m_dockScroll->verticalScrollBar()->maximum() > 0;
+    const bool folded = m_floatingDocks->floating() || !m_dock->isVisibleTo(this);
     m_colours->explain(m_session.shownViews(), kLegendLetters, true);
     m_colours->setVisible(folded && !m_lecture && m_session.opened() && !m_colours->empty());
 }
