@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QToolButton>
 
+#include "core/base/error.h"
 #include "tests/ui/test_scene.h"
 #include "ui/panels/path_bar.h"
 

@@ -148,7 +148,7 @@ TEST_F(SphericalLook, choicesThatExcludeEachOtherAreRadioItems) {
     filler.addStrategies();
     filler.addCameras();
     filler.addComparisons();
-    filler.addSizes([] {});
+    filler.addSizes();
     filler.addUploads();
     int menus = 0;
     for (const QMenu* part : menu.findChildren<QMenu*>()) {

@@ -16,22 +16,8 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kAheadOpacity = 0.35;  // of what is decided and not drawn yet
-constexpr QRgb kDarkBackground = 0x14171c;
-constexpr QRgb kDarkSurface = 0xccccc7;
-constexpr QRgb kLightBackground = 0xffffff;
-constexpr QRgb kLightSurface = 0xb8b8b3;
-
-Vec3f colour(QRgb rgb) { return Vec3f(float(qRed(rgb)), float(qGreen(rgb)), float(qBlue(rgb))) / 255.0f; }
 
 }  // namespace
-
-DrawStyle pictureStyle(const QPalette& palette) {
-    const bool dark = palette.color(QPalette::Window).lightness() < 128;
-    DrawStyle style;
-    style.background = colour(dark ? kDarkBackground : kLightBackground);
-    style.surface = colour(dark ? kDarkSurface : kLightSurface);
-    return style;
-}
 
 SceneView::SceneView(Session& session, int view, QWidget* parent)
     : QWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {

@@ -115,7 +115,7 @@ void ViewMenu::addComparisons() {
 }
 
 void ViewMenu::addSizes() {
-    QMenu* menu = addChoice(tr("Picture size"));
+    QMenu* menu = m_menu.addMenu(tr("Picture size"));
     const std::optional<Viewport>& size = setup().size;
     addSizeOptions(*menu, size, m_session.renderSize(view()),
                    [session = &m_session, view = view()](const auto& wanted) { session->setPictureSize({view}, wanted); });
