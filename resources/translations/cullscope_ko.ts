@@ -5185,6 +5185,42 @@
         <source>Show the edges of the drawn triangles alone; figures stay those of the filled picture</source>
         <translation>그려진 삼각형의 모서리만 보이기. 수치는 채워진 그림의 것 그대로입니다</translation>
     </message>
+    <message>
+        <source>The exact picture shows %1 triangles. They are known beforehand, and in no time of the frame.</source>
+        <translation>정확한 그림에 삼각형 %1개가 보입니다. 미리 알고 있으며 프레임의 시간에 들지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Oracle</source>
+        <translation>오라클</translation>
+    </message>
+    <message>
+        <source>Draws exactly what is visible, known beforehand: what any culling could gain at most.</source>
+        <translation>미리 알고 보이는 것만 그립니다. 어떤 컬링이든 얻을 수 있는 최대입니다.</translation>
+    </message>
+    <message>
+        <source>What is drawn where any of it is visible.</source>
+        <translation>일부라도 보이는 것에서 그리는 단위.</translation>
+    </message>
+    <message>
+        <source>the visible triangles</source>
+        <translation>보이는 삼각형</translation>
+    </message>
+    <message>
+        <source>whole objects of which anything is visible</source>
+        <translation>일부라도 보이는 물체 전체</translation>
+    </message>
+    <message>
+        <source>know what is visible (not timed)</source>
+        <translation>보이는 것을 앎 (재지 않음)</translation>
+    </message>
+    <message>
+        <source>draw what is visible of it</source>
+        <translation>그중 보이는 것을 그림</translation>
+    </message>
+    <message>
+        <source>nothing: leave it out</source>
+        <translation>없으면 뺌</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -5185,6 +5185,42 @@
         <source>Show the edges of the drawn triangles alone; figures stay those of the filled picture</source>
         <translation>只显示所绘三角形的边；数值仍是填充图像的数值</translation>
     </message>
+    <message>
+        <source>The exact picture shows %1 triangles. They are known beforehand, and in no time of the frame.</source>
+        <translation>精确图像显示 %1 个三角形。它们事先已知，不计入帧的任何时间。</translation>
+    </message>
+    <message>
+        <source>Oracle</source>
+        <translation>先知</translation>
+    </message>
+    <message>
+        <source>Draws exactly what is visible, known beforehand: what any culling could gain at most.</source>
+        <translation>只绘制事先已知可见的部分：任何剔除至多能得到的收益。</translation>
+    </message>
+    <message>
+        <source>What is drawn where any of it is visible.</source>
+        <translation>只要有一部分可见就绘制的单位。</translation>
+    </message>
+    <message>
+        <source>the visible triangles</source>
+        <translation>可见的三角形</translation>
+    </message>
+    <message>
+        <source>whole objects of which anything is visible</source>
+        <translation>有任何部分可见的整个对象</translation>
+    </message>
+    <message>
+        <source>know what is visible (not timed)</source>
+        <translation>已知何者可见（不计时）</translation>
+    </message>
+    <message>
+        <source>draw what is visible of it</source>
+        <translation>绘制其可见部分</translation>
+    </message>
+    <message>
+        <source>nothing: leave it out</source>
+        <translation>没有则略去</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -219,12 +219,15 @@ TEST(PaperTableModel, keepsTheRulesOfModels) {
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     ResultTable table = emptyTable(findExperiment("table-2"));
     model.setTable(table);
-    table.addRow({{"case", 1.0}, {"strategy", std::string("all")}, {"ratio_to_all", RatioEstimate{2.0, {1.5, 2.5}}}});
+    table.addRow({{"field_degrees", 10.0},
+                  {"case", 1.0},
+                  {"strategy", std::string("all")},
+                  {"ratio_to_all", RatioEstimate{2.0, {1.5, 2.5}}}});
     model.setTable(table);
     QStringList cells;
     for (int column = 0; column < model.columnCount(); ++column) cells << model.index(0, column).data().toString();
     EXPECT_TRUE(cells.contains(QStringLiteral("2.00 [1.50, 2.50]"))) << cells.join(u'|').toStdString();
-    EXPECT_EQ(cells.first(), QStringLiteral("1"));
+    EXPECT_EQ(cells.first(), QStringLiteral("10"));
 }
 
 }  // namespace
