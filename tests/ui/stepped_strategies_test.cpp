@@ -204,12 +204,18 @@ struct Painted : QObject {
     std::vector<QObject*> order;
 };
 
+/// Waits until widgets were not painted for a while, however busy the machine is.
+void untilNothingIsPainted(const std::vector<QWidget*>& watched) {
+    const Painted painted(watched);
+    for (size_t before = 1; painted.order.size() != std::exchange(before, painted.order.size());) QTest::qWait(300);
+}
+
 TEST_F(SteppedBands, pictureOfAStepIsPaintedBeforeThePanelsThatFollowIt) {
     MapWidget& map = window.structurePanel().findChild<MapPanel*>()->map();
     begin();
     ASSERT_NO_FATAL_FAILURE(goTo(Subject::Kind::Cells));
     for (int i = 0; i < 3; ++i) {
-        QTest::qWait(150);  // for the panels of the step before
+        untilNothingIsPainted({&picture(0), &map});  // of the step before
         Painted painted({&picture(0), &map});
         i == 1 ? stepper().back() : stepper().forward();
         ASSERT_TRUE(waitUntil([&] { return std::ranges::find(painted.order, &map) != painted.order.end(); }));
