@@ -51,7 +51,7 @@ public:
     QMenu* bookmarks;
     QMenu* lookFrom;          ///< filled from namedViews()
     QAction* almostParallel;  ///< for the active view
-    QMenu* pictureSize;  ///< of all views
+    QMenu* pictureSize;       ///< of all views
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
