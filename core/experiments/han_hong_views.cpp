@@ -14,6 +14,8 @@
 namespace cullscope::han_hong {
 namespace {
 
+using Origin = ResultColumn::Origin;
+
 constexpr Viewport kPicture{320, 240};
 constexpr double kFacesOfTable2 = 144'078;
 constexpr double kNearest = 1.02, kFarthest = 12.0, kNear = 0.005;  // radii
@@ -230,7 +232,6 @@ Rows rowsOfViews(const Setting& /*setting*/, const ScenePointer& scene, const Pr
 }  // namespace
 
 Experiment tableViews() {
-    using Origin = ResultColumn::Origin;
     Experiment experiment;
     experiment.id = "table-2-views";
     experiment.title = CULLSCOPE_TR("Which cases have views that consider the paper's faces");
