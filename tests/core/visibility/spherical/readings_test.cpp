@@ -16,6 +16,9 @@ using spherical::SphericalDecision;
 
 using Values = std::vector<std::pair<const char*, const char*>>;
 
+/// Views without drawing: no sample is small.
+uint64_t viewsOf(uint64_t all, uint64_t sample) { return longMode() ? all : sample; }
+
 /// `spherical` with these readings, and one recorded frame of the first object.
 struct Reader {
     Reader(const ScenePointer& scene, const Values& values) : culler(strategyWith("spherical", values)) { culler->build(*scene); }
@@ -61,7 +64,7 @@ TEST(SphericalReadings, noViewWithoutAPoleIsCaseOne) {
     size_t without = 0, with = 0;
     for (const ScenePointer& scene : unitScenes()) {
         const Reader text(scene, {});
-        for (uint64_t i = 0; i < howMany(10'000, 600) / 4; ++i) {
+        for (uint64_t i = 0; i < viewsOf(10'000, 600) / 4; ++i) {
             // Half of them narrow, as most wide ones hold a pole.
             View view = aroundUnit(random);
             if (i % 2 == 0) view = lookingAt(view.eye(), view.camera().target, random.between(1.0, 25.0), {64, 48});
@@ -82,7 +85,7 @@ TEST(SphericalReadings, poleInViewAndOutlineThatWindsAreTwoRules) {
     size_t byOutlineAlone = 0, byDirectionAlone = 0, both = 0;
     for (const ScenePointer& scene : unitScenes()) {
         const Reader direction(scene, {{"branch", "appendix"}}), outline(scene, {{"branch", "appendix"}, {"pole", "outline"}});
-        for (uint64_t i = 0; i < howMany(2'000, 500); ++i) {
+        for (uint64_t i = 0; i < viewsOf(2'000, 500); ++i) {
             const View view = aroundUnit(random);
             const SphericalDecision a = direction.decide(view), b = outline.decide(view);
             if (!a.region) continue;
@@ -108,7 +111,7 @@ TEST(SphericalReadings, objectThatNoRayMeetsIsDecidedByBandsAsTheTextSays) {
     size_t missed = 0;
     for (const ScenePointer& scene : unitScenes()) {
         const Reader text(scene, {}), appendix(scene, {{"branch", "appendix"}});
-        for (uint64_t i = 0; i < howMany(1'000, 60); ++i) {
+        for (uint64_t i = 0; i < viewsOf(1'000, 60); ++i) {
             const View view = aroundUnit(random);
             const SphericalDecision read = text.decide(view), other = appendix.decide(view);
             ASSERT_EQ(read.relation, other.relation);
@@ -142,7 +145,7 @@ TEST(SphericalReadings, raysThatMissTakeTheirPointLeaveItOutOrLeadToBands) {
     for (const ScenePointer& scene : unitScenes()) {
         const Reader nearest(scene, {{"branch", "appendix"}}), left(scene, {{"branch", "appendix"}, {"missed", "left-out"}}),
             bands(scene, {{"branch", "appendix"}, {"missed", "bands"}});
-        for (uint64_t i = 0; i < howMany(1'000, 60); ++i) {
+        for (uint64_t i = 0; i < viewsOf(1'000, 60); ++i) {
             const View view = aroundUnit(random);
             const SphericalDecision of = nearest.decide(view);
             if (of.relation != SphereRelation::Cut) continue;
@@ -175,7 +178,7 @@ TEST(SphericalReadings, raysHitTheSameFromSphereAndBox) {
         const Reader sphere(scene, {{"branch", "appendix"}}), box(scene, values);
         const Sphere bounds = scene->boundingSphere();
         const Box3 around = scene->instanceBox(0);
-        for (uint64_t i = 0; i < howMany(1'000, 60); ++i) {
+        for (uint64_t i = 0; i < viewsOf(1'000, 60); ++i) {
             const View view = aroundUnit(random);
             const SphericalDecision a = sphere.decide(view), b = box.decide(view);
             if (a.relation != SphereRelation::Cut) continue;
@@ -206,7 +209,7 @@ TEST(SphericalReadings, cutByBandDrawsWhatTheCutForGoodDrawsAndWhatRisesAgainBeh
     size_t more = 0;
     for (const ScenePointer& scene : {sceneOf({bumpyMesh(3, 8'000, 0.5)}), sceneOf({knotMesh(8'000)})}) {
         const Reader forGood(scene, {}), byBand(scene, {{"cut", "by-band"}});
-        for (uint64_t i = 0; i < howMany(200, 20); ++i) {
+        for (uint64_t i = 0; i < viewsOf(200, 20); ++i) {
             const View view = lookingAt(4.0 * random.direction(), Vec3(0.0), 60.0, {64, 48});
             const SphericalDecision a = forGood.decide(view), b = byBand.decide(view);
             ASSERT_TRUE(a.bands && b.bands);
