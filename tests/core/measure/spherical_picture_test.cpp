@@ -218,7 +218,7 @@ TEST(SphericalPicture, whereNoCornerRayHitsItLosesWhatItsBandsLose) {
     std::printf("long: spherical without hits views %llu missed %llu by the appendix %llu of %llu pixels\n",
                 static_cast<unsigned long long>(views), static_cast<unsigned long long>(missed),
                 static_cast<unsigned long long>(missedByAppendix), static_cast<unsigned long long>(covered));
-    EXPECT_GT(views, 15u);
+    EXPECT_GT(views, fewSamples() ? 3u : 15u);
     EXPECT_LE(double(missed), 0.06 * double(covered));
     EXPECT_GT(missedByAppendix, missed) << "Appendix 1 makes corners of rays that miss";
 }
