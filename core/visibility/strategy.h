@@ -126,7 +126,7 @@ using StructurePointer = std::shared_ptr<const Structure>;
 
 /// What one view remembers from frame to frame. A view whose scene, structure or parameters change begins anew.
 struct ViewState {
-    /// How long the view's last frame took, cull and draw together. Whoever times frames writes it after each (renderFrame; the
+    /// How long the view's last frame took, cull and draw together. What times frames writes it after each one (renderFrame; the
     /// desktop's pictures); none: it was not timed. The next frame is told (FrameContext::frameBeforeMilliseconds).
     std::optional<double> frameMilliseconds;
     /// Whether the strategy, told this frame's time, may decide another one for the same view: what it remembers is not settled.

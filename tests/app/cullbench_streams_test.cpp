@@ -1,4 +1,4 @@
-// Standard streams and interrupts: what cullbench does where nobody reads on, nothing can be written, or it is stopped early.
+// Standard streams and interrupts: what cullbench does where the reader has gone, nothing can be written, or it is stopped early.
 
 #include <cmath>
 #include <fstream>

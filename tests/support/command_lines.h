@@ -13,7 +13,7 @@ enum class Stream {
     Usual,      ///< input: nothing; output: a file
     Closed,     ///< no such descriptor
     Full,       ///< a device without space
-    ReaderGone  ///< a pipe that nobody reads
+    ReaderGone  ///< a pipe whose reader has gone
 };
 
 /// A command line with its surroundings.

@@ -1,4 +1,4 @@
-// A scene that is closed is freed, whoever measured it.
+// A scene that is closed is freed, by whichever job it was measured.
 
 #include "tests/ui/test_scene.h"
 
