@@ -32,15 +32,24 @@ inline constexpr GLuint kNormal = 1;
 
 class BoxQueries;
 
+/// How scene triangles are passed on.
+struct TriangleInput {
+    unsigned vertexArray = 0;
+    bool gathers = false;  ///< many small ranges are drawn as one: on a software OpenGL
+};
+
 struct Renderer::Programs {
     Programs();
     ~Programs();
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
+    [[nodiscard]] TriangleInput input() const { return {vertexArray, software}; }
+
     Program lambert, depth, item, itemOrdered, state, line, sphericalModel;
     std::map<std::string, Program> choices;  ///< by the body of `chosen`
     unsigned vertexArray = 0;                ///< of scene triangles
+    bool software = false;                   ///< the context's OpenGL is one (GlInfo::software)
     unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
     std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
 };
@@ -117,6 +126,7 @@ public:
         const size_t offset = size_t{firstIndex} * m_indices.bytes;
         return m_indices.client != nullptr ? m_indices.client + offset : reinterpret_cast<const void*>(offset);
     }
+    [[nodiscard]] unsigned indexBuffer() const { return m_indices.buffer; }
     [[nodiscard]] GLenum indexType() const { return m_indices.bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT; }
 
     /// Binds a mesh as vertex input and sets nothing else.

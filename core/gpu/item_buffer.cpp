@@ -61,18 +61,18 @@ void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& 
 }
 
 /// A depth pass, then the lowest number at each depth, within the current drawing state.
-void drawItems(unsigned depthProgram, unsigned itemProgram, unsigned vertexArray, const SceneBuffers& buffers, const View& view,
-               const DrawList& list, const ItemTarget& target) {
+void drawItems(unsigned depthProgram, unsigned itemProgram, const TriangleInput& input, const SceneBuffers& buffers,
+               const View& view, const DrawList& list, const ItemTarget& target) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glUseProgram(depthProgram);
-    submitAll(buffers, view, list, vertexArray);
+    submitAll(buffers, view, list, input);
 
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
     glUseProgram(itemProgram);
     glBindImageTexture(0, target.items(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-    submitItems(buffers, view, list, vertexArray);
+    submitItems(buffers, view, list, input.vertexArray);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -155,7 +155,7 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
     const ItemTarget target(tile);
     {
         const DrawingState state(view, target.depth(), list.facing);
-        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->vertexArray, buffers, view, list, target);
+        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->input(), buffers, view, list, target);
     }
     return read(target);
 }
@@ -179,7 +179,7 @@ std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const 
         const DrawingState state(view, target.depth(), list.facing);
         glScissor(x, y, 1, 1);
         glEnable(GL_SCISSOR_TEST);
-        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->vertexArray, buffers, view, list, target);
+        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->input(), buffers, view, list, target);
     }
     return readPixel(target, x, y);
 }

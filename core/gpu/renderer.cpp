@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/gpu/box_queries.h"
+#include "core/gpu/context.h"
 #include "core/gpu/submission.h"
 #include "embedded/shaders.h"
 
@@ -39,6 +40,7 @@ Renderer::Programs::Programs()
       state(embedded::scene_vert, embedded::state_frag),
       line(embedded::line_vert, embedded::line_frag),
       sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag),
+      software(requireOpenGl45().software),
       boxQueries(std::make_shared<BoxQueries>()) {
     glCreateVertexArrays(1, &vertexArray);
     for (const GLuint attribute : {kPosition, kNormal}) addAttribute(vertexArray, attribute, 0, attribute);
@@ -63,7 +65,7 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawLis
     const DrawingState state(view, target, list.facing, list.depth);
     clearTo(style);
     beginShaded(m_programs->lambert, style);
-    submitAll(buffers, view, list, m_programs->vertexArray);
+    submitAll(buffers, view, list, m_programs->input());
 }
 
 void Renderer::clear(const View& view, Framebuffer& target, const DrawStyle& style) {
@@ -80,7 +82,7 @@ void Renderer::execute(const SceneBuffers& buffers, const View& view, const Comm
         const DrawingState state(view, target, list->facing, list->depth);
         if (cleared) clearTo(style);
         begin();
-        submitAll(buffers, view, *list, m_programs->vertexArray);
+        submitAll(buffers, view, *list, m_programs->input());
     }
     if (const auto* own = std::get_if<OwnTrianglesPointer>(&command)) {
         const DrawingState state(view, target, (*own)->facing, (*own)->depth);

@@ -12,6 +12,7 @@ struct SubmittedRun {
     const std::vector<GLsizei>& counts;
     const std::vector<const void*>& addresses;
     GLenum indexType = GL_UNSIGNED_INT;
+    unsigned indexBuffer = 0;  ///< that the addresses are offsets in; 0 with client arrays
 };
 
 /// Whether the ranges are a whole mesh for which the draw list has no order of its own, so that its triangles may be drawn in the
@@ -42,15 +43,26 @@ void submit(const SceneBuffers& buffers, const View& view, const DrawList& list,
             counts.push_back(static_cast<GLsizei>(range.indexCount));
             addresses.push_back(input.indexAddress(range.firstIndex));
         }
-        perInstance(SubmittedRun{ranges, counts, addresses, input.indexType()});
+        perInstance(SubmittedRun{ranges, counts, addresses, input.indexType(), input.indexBuffer()});
     }
 }
 
-/// Draws a list with one multi-draw call for each run.
-inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
-    submit(buffers, view, list, vertexArray, false, [](const SubmittedRun& run) {
+/// Copies the indices of a run's ranges one after the other into a buffer of this draw alone, and draws them by one call: the
+/// same triangles in the same order. Of buffer objects only. Within `submit`.
+void drawGathered(const SceneBuffers& buffers, const DrawList& list, const SubmittedRun& run, unsigned vertexArray);
+
+/// Whether copying a run's indices costs less than its ranges: a software OpenGL begins each range anew, shading vertices that it
+/// shares with the one before a second time (docs/measuring.md, "Ranges").
+[[nodiscard]] bool worthGathering(const SubmittedRun& run);
+
+/// Draws a list with one call for each run: a multi-draw, or a draw of the gathered ranges.
+inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& input) {
+    const bool mayGather = input.gathers && buffers.upload() == Upload::Vbo;
+    submit(buffers, view, list, input.vertexArray, false, [&](const SubmittedRun& run) {
         if (run.counts.size() == 1)
             glDrawElements(GL_TRIANGLES, run.counts[0], run.indexType, run.addresses[0]);
+        else if (mayGather && worthGathering(run))
+            drawGathered(buffers, list, run, input.vertexArray);
         else
             glMultiDrawElements(GL_TRIANGLES, run.counts.data(), run.indexType, run.addresses.data(),
                                 static_cast<GLsizei>(run.counts.size()));

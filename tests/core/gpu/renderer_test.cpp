@@ -52,21 +52,30 @@ TEST(Renderer, backFaceIsDrawnOnlyWhereBothSidesAre) {
     EXPECT_GT(covered(picture(square, lookingAt({0, 0, -3}, {0, 0, 0}), Facing::TwoSided).depth), 0u);
 }
 
-TEST(Renderer, rangesOfAMultiDrawGiveTheWhole) {
-    const ScenePointer scene = copiesOf(knotMesh(3000), {Mat4(1.0), translation({0.5, 0.4, 0})});
-    const SceneBuffers buffers(scene, Upload::Vbo);
+// A software OpenGL gets small ranges gathered into one; indices have 16 bits in the small meshes and 32 in the large one.
+TEST(Renderer, rangesOfAnySizeGiveTheWhole) {
     const View view = lookingAt({0, 0, 6}, Vec3(0.0));
-    const DrawList whole = everything(*scene, Facing::Front);
-    DrawList parts{Facing::Front, {}};
-    for (const DrawRange& range : whole.ranges)
-        for (uint32_t first = 0; first < range.indexCount; first += 300)
-            parts.ranges.push_back({range.instance, first, std::min(300u, range.indexCount - first)});
-    ASSERT_GT(parts.ranges.size(), 10u);
-    EXPECT_EQ(picture(buffers, view, parts), picture(buffers, view, whole));
-    const auto items = [&](const DrawList& list) {
-        return GlEnvironment::renderer().drawItemBuffer(buffers, view, list).triangle;
-    };
-    EXPECT_EQ(items(parts), items(whole));
+    for (const size_t triangles : {size_t{3000}, size_t{200'000}}) {
+        const ScenePointer scene = copiesOf(knotMesh(triangles), {Mat4(1.0), translation({0.5, 0.4, 0})});
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        const DrawList whole = everything(*scene, Facing::Front);
+        const Picture truth = picture(buffers, view, whole);
+        const auto items = [&](const DrawList& list) {
+            return GlEnvironment::renderer().drawItemBuffer(buffers, view, list).triangle;
+        };
+        for (const uint32_t size : {30u, 300u, 1500u}) {
+            DrawList parts{Facing::Front, {}};
+            for (const DrawRange& range : whole.ranges)
+                for (uint32_t first = 0; first < range.indexCount; first += size)
+                    parts.ranges.push_back({range.instance, first, std::min(size, range.indexCount - first)});
+            ASSERT_GT(parts.ranges.size(), 10u);
+            EXPECT_EQ(picture(buffers, view, parts), truth) << size / 3 << " triangles a range";
+            if (triangles == 3000) {
+                EXPECT_EQ(items(parts), items(whole)) << size / 3 << " triangles a range";
+            }
+        }
+    }
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
 TEST(Renderer, onlyRangesOfTheListAreDrawn) {
