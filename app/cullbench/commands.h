@@ -58,12 +58,26 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 [[nodiscard]] std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
                                                         const std::vector<std::string>& parameters);
 
+/// `--projection` and `--height`, with a prefix for a second camera.
+struct ProjectionOptions {
+    std::string projection;  ///< an id; empty: as the camera or the path has it
+    double height = 0.0;     ///< of a parallel view, in scene units; 0: what the camera shows at its target
+
+    [[nodiscard]] bool given() const { return !projection.empty() || height > 0.0; }
+    /// The camera with that projection. Throws Error(Usage) for the height of a perspective camera.
+    [[nodiscard]] Camera of(const Camera& camera) const;
+    /// The path with that projection; its height is that of the first pose.
+    void applyTo(CameraPath& path) const;
+};
+void addProjectionOptions(CLI::App& command, ProjectionOptions& options, const std::string& prefix = "--");
+
 /// How `measure` and `sweep` measure.
 struct RunOptions {
     std::string path;  ///< empty: the scene's default
     std::string size = "640x480", upload = "vbo";
     int windows = 1, repeat = 0;
     double fovx = 0.0;  ///< degrees; 0: the path's own field of view
+    ProjectionOptions projection;
 
     /// Throws Error(Usage).
     [[nodiscard]] Viewport viewport() const { return sizeFromText(size); }

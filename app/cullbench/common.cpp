@@ -140,7 +140,39 @@ std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
 CameraPath RunOptions::viewsOf(const Scene& scene, const Progress& progress) const {
     CameraPath views = cameraPath(pathFor(scene), scene, progress);
     if (fovx > 0.0) views.fovy = verticalField(Angle::fromDegrees(fovx), viewport());
+    projection.applyTo(views);
     return views;
+}
+
+Camera ProjectionOptions::of(const Camera& camera) const {
+    Camera result = camera;
+    if (!projection.empty())
+        result = projectionFromId(projection) == ProjectionKind::Parallel ? inParallel(camera) : inPerspective(camera);
+    if (height > 0.0 && result.projection != ProjectionKind::Parallel)
+        throwUsage(CULLSCOPE_TR("The height is that of a parallel view: say --projection parallel, too."));
+    if (height > 0.0) result.height = height;
+    return result;
+}
+
+void ProjectionOptions::applyTo(CameraPath& path) const {
+    if (!given() || path.poses.empty()) return;
+    const Camera first = of(path.camera(0));
+    // In perspective each pose has an eye of its own.
+    if (path.projection == ProjectionKind::Parallel && first.projection == ProjectionKind::Perspective)
+        for (size_t pose = 0; pose < path.poses.size(); ++pose) path.poses[pose].eye = inPerspective(path.camera(pose)).eye;
+    path.projection = first.projection;
+    path.height = first.height;
+}
+
+void addProjectionOptions(CLI::App& command, ProjectionOptions& options, const std::string& prefix) {
+    command
+        .add_option(prefix + "projection", options.projection,
+                    "perspective or parallel: lines of sight that run along the view direction")
+        ->check(CLI::IsMember({projectionId(ProjectionKind::Perspective), projectionId(ProjectionKind::Parallel)}));
+    command
+        .add_option(prefix + "height", options.height,
+                    "height of a parallel view in scene units (default: what the camera shows at its target)")
+        ->check(positiveNumber());
 }
 
 CLI::Option* addFieldOption(CLI::App& command, double& fovx) {
@@ -154,6 +186,7 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
         "camera path: file or built-in name (default: tour:16 where one stands in the scene, else fibonacci:16 for one "
         "object, walk:16 for many)");
     addFieldOption(command, options.fovx);
+    addProjectionOptions(command, options.projection);
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command.add_option("--windows", options.windows, "pictures a frame: 1, 4 or 8")
         ->check(CLI::IsMember({1, 4, 8}))

@@ -105,6 +105,9 @@ void printTable(const MeasureResult& result, FILE* out) {
     for (const RunMeasurement& run : result.runs)
         if (const std::string snapped = withinSnapping(run); !snapped.empty())
             say(out, "{}: {}\n", strategyLabel(run.strategy), snapped);
+    for (const RunMeasurement& run : result.runs)
+        if (const auto reason = unserved(findStrategy(run.strategy.id).info, result.request.path.camera(0)))
+            say(out, "{}\n", reason->english());
     if (const std::string note = withoutRepetitions(result); !note.empty()) say(out, "{}\n", note);
     for (const RunMeasurement& run : result.runs)
         if (const std::string used = usedParts(run); !used.empty()) say(out, "{} used {}\n", strategyLabel(run.strategy), used);

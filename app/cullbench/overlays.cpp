@@ -121,6 +121,7 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
     command.add_option("--view-fovy", options.fovy, "the observer's vertical field of view in degrees")->check(positiveNumber());
+    addProjectionOptions(command, options.projection, "--view-");
     command.add_option("--view-near", options.nearDistance, "the observer's near distance (default: from the eye's place)")
         ->check(positiveNumber());
     command.add_option("--view-far", options.farDistance, "the observer's far distance (default: from the eye's place)")
@@ -202,6 +203,7 @@ Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const
     if (!options.target.empty()) camera.target = vectorFromText("--view-target", options.target);
     if (!options.up.empty()) camera.up = vectorFromText("--view-up", options.up);
     if (options.fovy > 0.0) camera.fovy = Angle::fromDegrees(options.fovy);
+    camera = options.projection.of(camera);
     fitDepthRange(camera, scene);
     if (options.nearDistance > 0.0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0.0) camera.farDistance = options.farDistance;

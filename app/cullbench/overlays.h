@@ -16,13 +16,15 @@ struct OverlayOptions {
     std::string boxColouring;  ///< empty: by verdict
     std::string eye, target, up;
     std::string cullingSize;
-    double fovy = 0.0;                             ///< degrees; 0: the culling camera's
+    double fovy = 0.0;  ///< degrees; 0: the culling camera's
+    ProjectionOptions projection;
     double nearDistance = 0.0, farDistance = 0.0;  ///< 0: around the scene
     bool drawnOnly = false;
 
     /// Whether the viewing camera differs from the culling camera.
     [[nodiscard]] bool observer() const {
-        return !eye.empty() || !target.empty() || !up.empty() || fovy > 0.0 || nearDistance > 0.0 || farDistance > 0.0;
+        return !eye.empty() || !target.empty() || !up.empty() || fovy > 0.0 || projection.given() || nearDistance > 0.0 ||
+               farDistance > 0.0;
     }
 };
 

@@ -27,6 +27,7 @@ struct RenderOptions {
     std::string size = "640x480";
     std::string background, surface;
     double fovy = 45.0, fovx = 0.0, nearDistance = 0.0, farDistance = 0.0;
+    ProjectionOptions projection;
     int64_t pose = 0;
     std::optional<int64_t> step;
     bool steps = false;
@@ -45,11 +46,10 @@ Camera cameraOf(const RenderOptions& options, const Scene& scene, const Viewport
     if (!options.eye.empty()) camera.eye = vectorFromText("--eye", options.eye);
     if (!options.target.empty()) camera.target = vectorFromText("--target", options.target);
     if (!options.up.empty()) camera.up = vectorFromText("--up", options.up);
-    if (options.path.empty()) {
-        camera.fovy = Angle::fromDegrees(options.fovy);
-        fitDepthRange(camera, scene);
-    }
+    if (options.path.empty()) camera.fovy = Angle::fromDegrees(options.fovy);
     if (options.fovx > 0.0) camera.fovy = verticalField(Angle::fromDegrees(options.fovx), size);
+    camera = options.projection.of(camera);
+    if (options.path.empty()) fitDepthRange(camera, scene);
     if (options.nearDistance > 0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0) camera.farDistance = options.farDistance;
     return camera;
@@ -233,6 +233,7 @@ void addRenderCommand(CLI::App& app, Context& context) {
     command->add_option("--up", options->up, "up, x,y,z");
     auto* fovy = command->add_option("--fovy", options->fovy, "vertical field of view in degrees")->capture_default_str();
     addFieldOption(*command, options->fovx)->excludes(fovy);
+    addProjectionOptions(*command, options->projection);
     command->add_option("--near", options->nearDistance, "near distance (default: from the eye's place)")
         ->check(positiveNumber());
     command->add_option("--far", options->farDistance, "far distance (default: from the eye's place)")->check(positiveNumber());

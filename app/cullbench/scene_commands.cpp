@@ -120,6 +120,7 @@ struct PathOptions {
     SceneChoice scene;
     std::string name, output, size = "640x480";
     double fovx = 0.0;
+    ProjectionOptions projection;
 };
 
 void runPath(const PathOptions& options, const Context& context) {
@@ -127,6 +128,7 @@ void runPath(const PathOptions& options, const Context& context) {
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     CameraPath path = cameraPath(options.name, *opened.scene, {nullptr, context.stop});
     if (options.fovx > 0.0) path.fovy = verticalField(Angle::fromDegrees(options.fovx), sizeFromText(options.size));
+    options.projection.applyTo(path);
     writeCameraPath(options.output, path);
     if (options.output != "-") say("{}: {} poses\n", options.output, path.poses.size());
 }
@@ -160,6 +162,7 @@ void addPathCommand(CLI::App& app, Context& context) {
     command->add_option("NAME", options->name, builtInPathNames())->required();
     addSceneOptions(*command, options->scene);
     auto* fovx = addFieldOption(*command, options->fovx);
+    addProjectionOptions(*command, options->projection);
     command->add_option("--size", options->size, "WIDTHxHEIGHT of the pictures that --fovx is for")
         ->capture_default_str()
         ->needs(fovx);

@@ -13,8 +13,8 @@ namespace {
 /// Numbers items by when the frame first drew one of their triangles.
 class FirstDrawn {
 public:
-    FirstDrawn(const Scene& scene, const Prediction& prediction, const Vec3& eye)
-        : m_scene(scene), m_prediction(prediction), m_eye(eye), m_named(prediction.items.begin(), prediction.items.end()) {}
+    FirstDrawn(const Scene& scene, const Prediction& prediction, const Camera& camera)
+        : m_scene(scene), m_prediction(prediction), m_camera(camera), m_named(prediction.items.begin(), prediction.items.end()) {}
 
     void operator()(const DrawList& list) {
         for (const DrawRange& range : list.ranges) {
@@ -63,7 +63,7 @@ private:
         if (!m_named.contains(triangle)) return;
         const size_t instance = m_scene.instanceOf(triangle);
         if (dropsBacks(m_scene, instance, facing) &&
-            InstanceFromEye(m_scene, instance, m_eye).facesAway(triangle - m_scene.firstTriangle(instance)))
+            InstanceFromEye(m_scene, instance, m_camera).facesAway(triangle - m_scene.firstTriangle(instance)))
             return;
         add(triangle);
     }
@@ -72,7 +72,7 @@ private:
 
     const Scene& m_scene;
     const Prediction& m_prediction;
-    Vec3 m_eye;
+    Camera m_camera;
     std::unordered_set<uint64_t> m_named;
     std::unordered_map<uint64_t, size_t> m_places;
 };
@@ -153,7 +153,7 @@ void Prediction::place(size_t place) {
 std::vector<PredictionRow> answerTo(const Prediction& prediction, const Scene& scene, const FrameLog& log,
                                     const NamedParts& parts) {
     if (prediction.of == Prediction::Items::Parts) return answerOfParts(prediction, parts);
-    FirstDrawn drawn(scene, prediction, log.camera.eye);
+    FirstDrawn drawn(scene, prediction, log.camera);
     for (const Command& command : log.commands) std::visit(drawn, command);
     std::vector<uint64_t> asked = prediction.items;
     if (prediction.of == Prediction::Items::Objects) {

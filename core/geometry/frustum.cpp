@@ -9,8 +9,8 @@ std::array<Vec3, 8> Frustum::corners() const {
     for (int depth = 0; depth < 2; ++depth) {
         const double distance = depth == 0 ? nearDistance : farDistance;
         const Vec3 centre = forward * distance;
-        const Vec3 x = right * (distance * tanHalfWidth);
-        const Vec3 y = up * (distance * tanHalfHeight);
+        const Vec3 x = right * halfWidthAt(distance);
+        const Vec3 y = up * halfHeightAt(distance);
         corners[depth * 4 + 0] = centre - x - y;
         corners[depth * 4 + 1] = centre + x - y;
         corners[depth * 4 + 2] = centre + x + y;
@@ -33,6 +33,27 @@ Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, doub
     const auto side = [&](const Vec3& axis, double tangent) { return Plane{glm::normalize(forward * tangent + axis), 0.0}; };
     frustum.planes = {side(right, tanHalfWidth), side(-right, tanHalfWidth),    side(up, tanHalfHeight),
                       side(-up, tanHalfHeight),  Plane{forward, -nearDistance}, Plane{-forward, farDistance}};
+    return frustum;
+}
+
+Frustum makeParallelFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double halfWidth, double halfHeight,
+                            double nearDistance, double farDistance) {
+    Frustum frustum;
+    frustum.forward = forward;
+    frustum.right = right;
+    frustum.up = up;
+    frustum.tanHalfWidth = frustum.tanHalfHeight = 0.0;
+    frustum.halfWidth = halfWidth;
+    frustum.halfHeight = halfHeight;
+    frustum.nearDistance = nearDistance;
+    frustum.farDistance = farDistance;
+    const double room = depthRoom(farDistance);
+    frustum.planes = {Plane{right, halfWidth},
+                      Plane{-right, halfWidth},
+                      Plane{up, halfHeight},
+                      Plane{-up, halfHeight},
+                      Plane{forward, room - nearDistance},
+                      Plane{-forward, farDistance + room}};
     return frustum;
 }
 

@@ -15,16 +15,24 @@ enum class FrustumPlane { Left, Right, Bottom, Top, Near, Far };
 inline constexpr size_t kFrustumPlaneCount = 6;
 
 /// A view frustum in coordinates relative to the eye (world axes, origin at the eye): no precision is lost far from the world's
-/// origin, and the four side planes pass through 0.
+/// origin. In perspective the four side planes pass through 0. In a parallel view the volume is a box: its sides lie as far apart
+/// at each distance, and the eye is the middle of its front.
 struct Frustum {
     std::array<Plane, 6> planes;  ///< unit normals pointing inward, in the order of FrustumPlane
     Vec3 forward{0.0, 0.0, -1.0};
     Vec3 right{1.0, 0.0, 0.0};
     Vec3 up{0.0, 1.0, 0.0};
-    double tanHalfWidth = 1.0;   ///< half the width of the view at distance 1
-    double tanHalfHeight = 1.0;  ///< half the height of the view at distance 1
+    double tanHalfWidth = 1.0;   ///< by how much half the width of the view grows with each unit of distance; 0: parallel
+    double tanHalfHeight = 1.0;  ///< the same of half its height
+    double halfWidth = 0.0;      ///< half the width of the view at the eye; 0 in perspective
+    double halfHeight = 0.0;     ///< half its height there
     double nearDistance = 0.1;
     double farDistance = 10.0;
+
+    [[nodiscard]] bool parallel() const { return halfHeight > 0.0; }
+    /// Half the width and half the height of the view at a distance ahead of the eye.
+    [[nodiscard]] double halfWidthAt(double ahead) const { return halfWidth + tanHalfWidth * ahead; }
+    [[nodiscard]] double halfHeightAt(double ahead) const { return halfHeight + tanHalfHeight * ahead; }
 
     /// The corners relative to the eye: near bottom-left, bottom-right, top-right, top-left, then the far ones in the same order.
     [[nodiscard]] std::array<Vec3, 8> corners() const;
@@ -34,6 +42,14 @@ struct Frustum {
 /// matrix are subtracted from each other.
 [[nodiscard]] Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double tanHalfWidth,
                                   double tanHalfHeight, double nearDistance, double farDistance);
+
+/// The same for a parallel view. The near and far planes lie farther out by depthRoom: OpenGL's depth is not relative to the
+/// distance here, so that what it draws may lie before the near plane by a rounding of the far distance.
+[[nodiscard]] Frustum makeParallelFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double halfWidth,
+                                          double halfHeight, double nearDistance, double farDistance);
+
+/// By how much the near and far planes of a parallel view lie beyond its distances.
+[[nodiscard]] constexpr double depthRoom(double farDistance) { return farDistance * 0x1p-20; }
 
 /// A box in coordinates relative to the eye.
 struct EyeBox {

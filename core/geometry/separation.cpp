@@ -22,6 +22,8 @@ public:
           m_forward(frustum.forward),
           m_tanHalfWidth(frustum.tanHalfWidth),
           m_tanHalfHeight(frustum.tanHalfHeight),
+          m_halfWidth(frustum.halfWidth),
+          m_halfHeight(frustum.halfHeight),
           m_near(frustum.nearDistance),
           m_far(std::max(frustum.nearDistance, std::min(frustum.farDistance, farthest))) {}
 
@@ -36,17 +38,18 @@ public:
         const double aside = m_tanHalfWidth * std::abs(axis.x) + m_tanHalfHeight * std::abs(axis.y);
         const double most = axis.z + aside;
         const double least = axis.z - aside;
-        return centre - reach - most * (most > 0.0 ? m_far : m_near) > room ||
-               least * (least < 0.0 ? m_far : m_near) - (centre + reach) > room;
+        const double atEye = m_halfWidth * std::abs(axis.x) + m_halfHeight * std::abs(axis.y);
+        return centre - reach - (atEye + most * (most > 0.0 ? m_far : m_near)) > room ||
+               least * (least < 0.0 ? m_far : m_near) - atEye - (centre + reach) > room;
     }
 
     /// The frustum's point nearest to `from`, both in camera coordinates.
     [[nodiscard]] Vec3 nearestPoint(const Vec3& from) const {
         const double x = std::abs(from.x);
         const double y = std::abs(from.y);
-        const double depth = std::min(std::max(nearestDepth(x, y, from.z), m_near), m_far);
-        return {std::copysign(std::min(x, m_tanHalfWidth * depth), from.x),
-                std::copysign(std::min(y, m_tanHalfHeight * depth), from.y), depth};
+        const double depth = std::min(std::max(nearestDepth(x - m_halfWidth, y - m_halfHeight, from.z), m_near), m_far);
+        return {std::copysign(std::min(x, m_halfWidth + m_tanHalfWidth * depth), from.x),
+                std::copysign(std::min(y, m_halfHeight + m_tanHalfHeight * depth), from.y), depth};
     }
 
     /// Directions of the edges; the near and far rectangles' edges are parallel.
@@ -58,8 +61,8 @@ public:
 
 private:
     /// The depth d at which max(0, x − w·d)² + max(0, y − h·d)² + (z − d)² is smallest. The function is convex in d and quadratic
-    /// in four pieces; the minimum of each is tried. This depth alone decides whether the nearest point lies on a face, an edge
-    /// or a corner.
+    /// in four pieces; the minimum of each is tried. x and y count from the sides' places at the eye. This depth alone decides
+    /// whether the nearest point lies on a face, an edge or a corner.
     [[nodiscard]] double nearestDepth(double x, double y, double z) const {
         const double w = m_tanHalfWidth;
         const double h = m_tanHalfHeight;
@@ -72,7 +75,7 @@ private:
     }
 
     Vec3 m_right, m_up, m_forward;
-    double m_tanHalfWidth, m_tanHalfHeight, m_near, m_far;
+    double m_tanHalfWidth, m_tanHalfHeight, m_halfWidth, m_halfHeight, m_near, m_far;
 };
 
 /// A parallelepiped in camera coordinates.

@@ -20,6 +20,8 @@ namespace cullscope {
 //     points reach at most d·s along a, with s = a_f + tan_w·|a_r| + tan_h·|a_u|, which has an error of 3u of its terms' sum T.
 //     Where T <= 4|a|, s·d has an error of 12u·M·|a| for that, 4u for the product and 12u for D. Where T > 4|a|, |a_f| <= |a|
 //     leaves s > T/2, so s·D has a relative error of 11u; an object beyond it has s·D <= M·|a|, hence 11u·M·|a|.
+// In a parallel view the frustum's half sizes are added to the interval as they are: their sum C = hw·|a_r| + hh·|a_u| has an
+// error of 4u·C. An object beyond it has C <= M·|a|, hence 4u·M·|a|, and s = a_f is exact.
 // The functions add r themselves: at margin 0, too, objects that touch are never reported as separate. conservativeMargin(M) =
 // 2^27·r covers the float rounding of the picture besides.
 

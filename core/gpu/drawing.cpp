@@ -117,7 +117,7 @@ namespace {
 
 void setInstanceUniforms(const View& view, const Instance& instance, const TriangleMesh& mesh) {
     const Mat4f clip = view.clipFromPositions(instance.worldFromMesh, mesh.origin());
-    const Mat4f eyeRelative = view.eyeRelativeFromPositions(instance.worldFromMesh, mesh.origin());
+    const Mat4f eyeRelative = view.sightFromPositions(instance.worldFromMesh, mesh.origin());
     // Scaled by its largest entry, so that normals of tiny and huge instances stay within the range of float.
     glm::dmat3 normals = glm::transpose(glm::inverse(Mat3(instance.worldFromMesh)));
     double largest = 0.0;

@@ -25,7 +25,8 @@ void drawLinesOnGpu(const Program& program, unsigned lineArray, const View& view
     glUniform2f(kHalfViewport, 0.5f * float(view.viewport().width), 0.5f * float(view.viewport().height));
     glUniform1f(kHalfWidth, 0.5f * width);
     // Lines are clipped close to the eye, not at the near plane: a frustum's edges often start in front of the near plane.
-    glUniform1f(kLeastDistance, float(view.camera().nearDistance * 0x1p-6));
+    // In a parallel view nothing lies behind an eye, and w, which is compared, is 1.
+    glUniform1f(kLeastDistance, view.frustum().parallel() ? 0.0f : float(view.camera().nearDistance * 0x1p-6));
     // Behind the far plane and in front of the near plane, depths are clamped to the ends of their range.
     glEnable(GL_DEPTH_CLAMP);
     glFrontFace(GL_CCW);  // the winding of the rectangles, for either direction of a line

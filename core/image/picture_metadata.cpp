@@ -28,6 +28,10 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
         add(role + "target", text(camera.target));
         add(role + "up", text(camera.up));
         add(role + "fovy_deg", text(camera.fovy.degrees()));
+        if (camera.projection == ProjectionKind::Parallel) {
+            add(role + "projection", projectionId(camera.projection));
+            add(role + "height", text(camera.height));
+        }
         add(role + "near", text(camera.nearDistance));
         add(role + "far", text(camera.farDistance));
     };

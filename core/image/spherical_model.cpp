@@ -22,8 +22,7 @@ constexpr std::array<uint32_t, 5> kRelief{0x2C4478, 0x434E6C, 0x7D7C78, 0xBCAF6F
 std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, const DrawStyle& style) {
     const Vec3f colour = contrastTo(style.background);
     const auto at = [&](double right, double up) {
-        const Vec3 direction = viewing.direction(area.left + right * area.width, area.bottom + up * area.height);
-        return viewing.eye() + viewing.camera().nearDistance * direction;
+        return viewing.pointAt(area.left + right * area.width, area.bottom + up * area.height, viewing.camera().nearDistance);
     };
     const std::array corners{at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)};
     std::vector<LineSegment> lines;

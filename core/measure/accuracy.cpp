@@ -221,14 +221,9 @@ DepthOfPlane depthOfPlaneAt(const Scene& scene, const View& view, uint64_t trian
     for (size_t i = 0; i < 3; ++i)
         corners[i] =
             Vec3(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0)) - view.eye();
-    // A point at forward distance s in direction d lies in the plane where s (n·d) = n·corner; the depth is linear in 1 / s.
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double offset = glm::dot(normal, corners[0]);
-    const auto depthAt = [&](double x, double y) {
-        const double near = view.frustum().nearDistance, far = view.camera().farDistance;
-        const double inverse = glm::dot(normal, view.direction(x, y)) / offset;
-        return std::isinf(far) ? near * inverse : near * (far * inverse - 1.0) / (far - near);
-    };
+    const auto depthAt = [&](double x, double y) { return view.depthOfPlane(normal, offset, x, y); };
     const double depth = depthAt(centre.x, centre.y);
     return {depth, {depthAt(centre.x + 1.0, centre.y) - depth, depthAt(centre.x, centre.y + 1.0) - depth}};
 }

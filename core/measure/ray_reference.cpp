@@ -21,22 +21,18 @@ std::array<Vec3, 3> cornersFromEye(const Scene& scene, size_t instance, uint64_t
     return corners;
 }
 
-/// The depth of a triangle's plane at a pixel, and its change over one pixel. Reversed depth is affine in pixel coordinates: with
-/// the plane n·p = c the forward distance along direction d is c / n·d, and 1/distance is linear in d.
+/// The depth of a triangle's plane at a pixel, and its change over one pixel. Reversed depth is affine in pixel coordinates.
 struct PlaneDepth {
     double depth;
     double perPixel;
 };
 
-PlaneDepth depthOnPlane(const std::array<Vec3, 3>& corners, const View& view, const Vec3& direction) {
+PlaneDepth depthOnPlane(const std::array<Vec3, 3>& corners, const View& view, double x, double y) {
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double c = glm::dot(normal, corners[0]);
-    const Frustum& f = view.frustum();
-    const double inverse = glm::dot(normal, direction) / c;
-    const double acrossX = std::abs(glm::dot(normal, f.right) * (2.0 * f.tanHalfWidth / view.viewport().width) / c);
-    const double acrossY = std::abs(glm::dot(normal, f.up) * (2.0 * f.tanHalfHeight / view.viewport().height) / c);
-    const double scale = f.nearDistance * f.farDistance / (f.farDistance - f.nearDistance);
-    return {view.depthFromDistance(1.0 / inverse), scale * (acrossX + acrossY)};
+    const auto depthAt = [&](double column, double row) { return view.depthOfPlane(normal, c, column, row); };
+    const double depth = depthAt(x, y);
+    return {depth, std::abs(depthAt(x + 1.0, y) - depth) + std::abs(depthAt(x, y + 1.0) - depth)};
 }
 
 }  // namespace
@@ -60,13 +56,14 @@ RayReference rayReference(const Scene& scene, const View& view, Facing facing, c
         for (size_t y = rows.begin(); y < rows.end() && !progress.stopRequested(); ++y)
             for (size_t x = 0; x < width; ++x) {
                 // The direction has forward component 1, so that the ray's parameter is the forward distance.
-                const Vec3 direction = view.direction(double(x) + 0.5, double(y) + 0.5);
+                const double column = double(x) + 0.5, line = double(y) + 0.5;
+                const Vec3 from = view.eye() + view.sightOrigin(column, line);
                 const std::optional<SceneRays::Hit> hit =
-                    rays.first(view.eye(), direction, view.camera().nearDistance, view.camera().farDistance);
+                    rays.first(from, view.direction(column, line), view.camera().nearDistance, view.camera().farDistance);
                 if (!hit) continue;
                 const size_t pixel = y * width + x;
                 const auto corners = cornersFromEye(scene, hit->instance, hit->triangle, view.eye());
-                const PlaneDepth plane = depthOnPlane(corners, view, direction);
+                const PlaneDepth plane = depthOnPlane(corners, view, column, line);
                 reference.triangle[pixel] = static_cast<uint32_t>(scene.firstTriangle(hit->instance) + hit->triangle + 1);
                 reference.depth[pixel] = plane.depth;
                 reference.depthPerPixel[pixel] = plane.perPixel;

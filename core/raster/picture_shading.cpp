@@ -36,6 +36,8 @@ std::vector<ShadedInstance> shadedInstances(const Scene& scene, const View& view
         // Translations are summed before any rounding.
         copyTo(to.eye, fromWorld * (view.eye() - Vec3(place[3]) - linear * mesh.origin()));
         copyTo(to.fromWorld, fromWorld);
+        copyTo(to.forward, fromWorld * view.frustum().forward);
+        copyTo(to.ahead, glm::transpose(linear) * view.frustum().forward);
         copyTo(to.normals, glm::transpose(fromWorld));
         to.positions = mesh.positions().empty() ? nullptr : &mesh.positions().front().x;
         to.normal = mesh.normals().empty() ? nullptr : &mesh.normals().front().x;
@@ -58,11 +60,13 @@ std::unique_ptr<uint32_t[]> shadedPicture(const Scene& scene, const View& view, 
     copyTo(shading.forward, frustum.forward);
     copyTo(shading.right, frustum.right);
     copyTo(shading.up, frustum.up);
-    shading.tanHalfWidth = frustum.tanHalfWidth;
-    shading.tanHalfHeight = frustum.tanHalfHeight;
+    shading.halfWidth = frustum.halfWidthAt(1.0);
+    shading.halfHeight = frustum.halfHeightAt(1.0);
+    shading.parallel = frustum.parallel();
     shading.width = view.viewport().width;
     shading.height = view.viewport().height;
-    copyTo(shading.step, view.direction(1.0, 0.0) - view.direction(0.0, 0.0));
+    const auto atOne = [&view](double x) { return view.sightOrigin(x, 0.0) + view.direction(x, 0.0); };
+    copyTo(shading.step, atOne(1.0) - atOne(0.0));
     const Vec3f surface = glm::max(colours.surface, Vec3f(0.0f)) * 255.0f;
     for (int channel = 0; channel < 3; ++channel) shading.surface[channel] = surface[channel];
     shading.background = std::bit_cast<uint32_t>(colours.background);

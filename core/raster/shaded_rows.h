@@ -12,6 +12,8 @@ namespace cullscope {
 struct ShadedInstance {
     double eye[3];            ///< in the axes of its mesh's positions
     double fromWorld[9];      ///< from world axes to those
+    double forward[3];        ///< the view direction in those axes
+    double ahead[3];          ///< times a vector in those axes: how far it leads along the view direction
     double normals[9];        ///< from the mesh's normals to world axes
     const float* positions;   ///< three of each vertex
     const float* normal;      ///< three of each vertex
@@ -24,11 +26,12 @@ struct Shading {
     const ShadedInstance* instances;
     size_t instanceCount;
     double forward[3], right[3], up[3];  ///< the view's basis
-    double tanHalfWidth, tanHalfHeight;
-    double width, height;  ///< of the whole picture
-    double step[3];        ///< from a pixel's direction to that of the next one in its row
-    float surface[3];      ///< the colour, times 255
-    uint32_t background;   ///< as four bytes: red, green, blue, opacity
+    double halfWidth, halfHeight;        ///< of the view at distance 1
+    double width, height;                ///< of the whole picture
+    double step[3];                      ///< from a pixel's place at distance 1 to that of the next one in its row
+    bool parallel;                       ///< all lines of sight run forward
+    float surface[3];                    ///< the colour, times 255
+    uint32_t background;                 ///< as four bytes: red, green, blue, opacity
 };
 
 /// A rectangle of a picture, from its lower left pixel.

@@ -99,6 +99,17 @@ inline void setUpNormals(const Shading& shading, const uint32_t* items, Normals*
         normals[c] = ofFour(instance[0]->normals + 3 * c, instance[1]->normals + 3 * c, instance[2]->normals + 3 * c,
                             instance[3]->normals + 3 * c);
     }
+    if (shading.parallel) {
+        // Lines of sight that run forward meet what is moved along them at the same pixels: at distance 1 from the eye, the
+        // corners are seen from it as they are here, and the weights follow as in perspective.
+        const ThreeDoubles forward =
+            ofFour(instance[0]->forward, instance[1]->forward, instance[2]->forward, instance[3]->forward);
+        const ThreeDoubles ahead = ofFour(instance[0]->ahead, instance[1]->ahead, instance[2]->ahead, instance[3]->ahead);
+        for (ThreeDoubles& of : corner) {
+            const Doubles by = of.x * ahead.x + of.y * ahead.y + of.z * ahead.z - 1.0;
+            of = {of.x - by * forward.x, of.y - by * forward.y, of.z - by * forward.z};
+        }
+    }
     for (ThreeDoubles& of : normal) of = times(normals, of);
     ThreeDoubles inMesh[3] = {}, matrix[3];
     for (size_t c = 0; c < 3; ++c) {
@@ -236,9 +247,9 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
         return (shading.forward[axis] + shading.right[axis] * across) + shading.up[axis] * upward;
     };
     for (int32_t row = 0; row < block.rows; ++row) {
-        const double upward = (2.0 * (block.row + row + 0.5) / shading.height - 1.0) * shading.tanHalfHeight;
+        const double upward = (2.0 * (block.row + row + 0.5) / shading.height - 1.0) * shading.halfHeight;
         const auto acrossAt = [&](int32_t column) {
-            return (2.0 * (block.column + column + 0.5) / shading.width - 1.0) * shading.tanHalfWidth;
+            return (2.0 * (block.column + column + 0.5) / shading.width - 1.0) * shading.halfWidth;
         };
         ShadedRow of;
         int32_t count = 0;
@@ -253,7 +264,8 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
             of.begin[count + 1] = float(begin);
         }
         float first[3];
-        for (int axis = 0; axis < 3; ++axis) first[axis] = float(along(axis, acrossAt(0), upward));
+        for (int axis = 0; axis < 3; ++axis)
+            first[axis] = float(shading.parallel ? shading.forward[axis] : along(axis, acrossAt(0), upward));
         const uint32_t* items = block.items + size_t(row) * block.itemsInRow;
         uint32_t* rgba = block.rgba + size_t(row) * block.rgbaInRow;
         int32_t run = 0;
@@ -270,7 +282,8 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
             }
             componentsOf(rows, normal);
             const Floats columns = Floats{0, 1, 2, 3, 4, 5, 6, 7} + float(from);
-            for (int axis = 0; axis < 3; ++axis) direction[axis] = first[axis] + columns * float(shading.step[axis]);
+            for (int axis = 0; axis < 3; ++axis)
+                direction[axis] = first[axis] + columns * float(shading.parallel ? 0.0 : shading.step[axis]);
             Numbers colours;
             shadeEight<Lanes>(shading, direction, normal, colours);
             if (from + 8 <= block.columns) {

@@ -82,6 +82,8 @@ Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction) {
 }
 
 Camera looked(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
+    if (camera.projection == ProjectionKind::Parallel)
+        return turned(camera, up, azimuth, Angle::fromRadians(-elevation.radians()));
     Camera result = camera;
     result.up = axisVector(up);
     result.target = camera.eye + turnedOffset(camera.target - camera.eye, up, azimuth, elevation);
@@ -90,7 +92,10 @@ Camera looked(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
 
 Camera panned(const View& view, double distance, const Vec2& from, const Vec2& to) {
     Camera result = view.camera();
-    const Vec3 shift = distance * (view.direction(from.x, from.y) - view.direction(to.x, to.y));
+    const auto at = [&](const Vec2& pixel) {
+        return view.sightOrigin(pixel.x, pixel.y) + distance * view.direction(pixel.x, pixel.y);
+    };
+    const Vec3 shift = at(from) - at(to);
     result.eye += shift;
     result.target += shift;
     return result;
@@ -102,6 +107,15 @@ Camera zoomed(const Camera& camera, const Vec3& point, double factor, double sce
     const double distance = glm::length(offset);
     const double reach = glm::length(camera.eye - camera.target);
     const double closest = kClosest * sceneRadius;
+    if (camera.projection == ProjectionKind::Parallel) {
+        result.height = std::clamp(factor * camera.height, closest, kFarthest * sceneRadius);
+        const Vec3 forward = (camera.target - camera.eye) / reach;
+        const Vec3 aside = -offset - glm::dot(-offset, forward) * forward;
+        const Vec3 shift = (1.0 - result.height / camera.height) * aside;
+        result.eye += shift;
+        result.target += shift;
+        return result;
+    }
     if (factor > 1.0 && distance * factor > kFarthest * sceneRadius) return result;
     if (factor < 1.0 && (distance * factor < closest || reach * factor < closest)) {
         const Vec3 forward = (camera.target - camera.eye) / reach;
@@ -123,6 +137,8 @@ Camera flown(const View& view, const Vec3& step) {
     const Vec3 shift = step.x * frustum.right + step.y * frustum.up + step.z * frustum.forward;
     result.eye += shift;
     result.target += shift;
+    // Nothing grows by coming nearer in a parallel view: its height takes the distance's place.
+    if (frustum.parallel()) result.height *= std::exp(-step.z / glm::length(result.target - result.eye));
     return result;
 }
 
@@ -141,6 +157,12 @@ Camera framed(const Camera& camera, UpAxis up, const Sphere& sphere, double aspe
     const double halfHeight = camera.fovy.radians() / 2.0;
     const double halfWidth = std::atan(std::tan(halfHeight) * aspect);
     const double radius = sphere.radius > 0.0 ? sphere.radius : 1.0;
+    if (camera.projection == ProjectionKind::Parallel) {
+        result.height = 2.0 * kFramingMargin * radius * std::max(1.0, 1.0 / aspect);
+        result.eye += sphere.centre - result.target;
+        result.target = sphere.centre;
+        return result;
+    }
     const double distance = kFramingMargin * radius / std::sin(std::min(halfHeight, halfWidth));
     const Vec3 direction = glm::normalize(result.eye - result.target);
     result.target = sphere.centre;
@@ -192,10 +214,14 @@ Camera observerCamera(const View& culling, const Sphere& scene, UpAxis up, doubl
     std::vector<Vec3> corners{camera.eye};
     // What lies beyond the scene, as of a lens with a far plane of its own, is left out; and as the corners of a very wide
     // frustum lie far beside everything, only its beginning is framed then.
-    const Frustum& frustum = culling.frustum();
+    Frustum frustum = culling.frustum();
     const double widest = std::max(frustum.tanHalfWidth, frustum.tanHalfHeight);
     const double reach = kBeyondScene * (glm::length(camera.eye - scene.centre) + scene.radius);
-    const double shown = std::min({1.0, kWidestFramed / widest, reach / frustum.farDistance});
+    double shown = 1.0;
+    if (frustum.parallel())
+        frustum.farDistance = std::max(std::min(frustum.farDistance, reach), frustum.nearDistance);
+    else
+        shown = std::min({1.0, kWidestFramed / widest, reach / frustum.farDistance});
     for (const Vec3& corner : frustum.corners()) corners.push_back(camera.eye + shown * corner);
     const Camera beside = turned(lens, up, kObserverAzimuth, kObserverElevation);
     return filledBy(beside, corners, Sphere{scene.centre, scene.radius > 0.0 ? scene.radius : 1.0}, aspect);
@@ -204,6 +230,17 @@ Camera observerCamera(const View& culling, const Sphere& scene, UpAxis up, doubl
 Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear) {
     Camera result = camera;
     const double radius = scene.radius > 0.0 ? scene.radius : 1.0;
+    if (camera.projection == ProjectionKind::Parallel) {
+        // Where the eye stands on its line changes nothing but what lies behind it: it stands before the whole scene.
+        const Vec3 forward = glm::normalize(camera.target - camera.eye);
+        const double fromTarget = glm::dot(scene.centre - camera.target, forward);
+        const double back = std::max(2.0 * radius - fromTarget, 0.1 * radius);
+        result.eye = camera.target - back * forward;
+        const double ahead = back + fromTarget;
+        result.farDistance = kBeyondScene * (ahead + radius);
+        result.nearDistance = std::clamp(chosenNear.value_or(0.99 * (ahead - radius)), 1e-3 * radius, 0.9 * result.farDistance);
+        return result;
+    }
     const double toCentre = glm::length(camera.eye - scene.centre);
     const double reach = glm::length(camera.eye - camera.target);
     result.farDistance = kBeyondScene * (toCentre + radius);
@@ -217,7 +254,7 @@ Vec3 pointUnder(const View& view, const Vec2& pixel, double depth) {
     const Camera& camera = view.camera();
     double distance = glm::dot(camera.target - camera.eye, view.frustum().forward);
     if (depth > 0.0) distance = view.distanceFromDepth(depth);
-    return camera.eye + distance * view.direction(pixel.x, pixel.y);
+    return view.pointAt(pixel.x, pixel.y, distance);
 }
 
 }  // namespace cullscope

@@ -20,14 +20,15 @@ namespace cullscope {
 /// Looks at the same target from a direction (target to eye, any length); along the up axis, as near to the pole as turned()
 /// goes.
 [[nodiscard]] Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction);
-/// Rotates the view direction about the eye, stopping before the poles.
+/// Rotates the view direction about the eye, stopping before the poles; of a parallel camera about the target.
 [[nodiscard]] Camera looked(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation);
 /// Translates sideways so that the world point under pixel `from` at forward distance `distance` moves to pixel `to`.
 [[nodiscard]] Camera panned(const View& view, double distance, const Vec2& from, const Vec2& to);
 /// Scales the distance from `point` by `factor` (below 1: nearer); `point` keeps its place in the picture. At a distance so small
-/// that double would no longer resolve it, the eye moves on through the point instead of stopping.
+/// that double would no longer resolve it, the eye moves on through the point instead of stopping. Of a parallel camera the
+/// view's height changes, and the eye moves sideways.
 [[nodiscard]] Camera zoomed(const Camera& camera, const Vec3& point, double factor, double sceneRadius);
-/// Moves eye and target by `step`: right, up, forward, in scene units.
+/// Moves eye and target by `step`: right, up, forward, in scene units. Forward, a parallel view's height shrinks besides.
 [[nodiscard]] Camera flown(const View& view, const Vec3& step);
 /// Makes `point` the target and translates sideways so that it is in the middle of the picture; view direction and depth stay.
 [[nodiscard]] Camera centredOn(const View& view, const Vec3& point);
@@ -41,6 +42,7 @@ namespace cullscope {
 [[nodiscard]] Camera observerCamera(const View& culling, const Sphere& scene, UpAxis up, double aspect);
 
 /// Sets near and far so that they enclose the scene as seen from the camera; `chosenNear` replaces the near distance.
+/// The eye of a parallel camera moves along its line of sight to before the scene, so that none of it lies behind.
 [[nodiscard]] Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear);
 
 /// The world point under a pixel (y upward) with the depth sample at that pixel; where nothing is drawn (depth 0), the point in

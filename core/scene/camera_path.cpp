@@ -241,7 +241,7 @@ Vec3 surfaceCentroid(const Scene& scene) {
 }
 
 Camera CameraPath::camera(size_t pose) const {
-    return {poses.at(pose).eye, poses.at(pose).target, poses.at(pose).up, fovy, nearDistance, farDistance};
+    return {poses.at(pose).eye, poses.at(pose).target, poses.at(pose).up, fovy, nearDistance, farDistance, projection, height};
 }
 
 CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene, const Progress& progress) {

@@ -17,6 +17,8 @@ struct CameraPath {
     Angle fovy = Angle::fromDegrees(45.0);
     double nearDistance = 0.05;
     double farDistance = 1000.0;
+    ProjectionKind projection = ProjectionKind::Perspective;
+    double height = 2.0;  ///< of parallel views, in scene units
     struct Pose {
         Vec3 eye, target, up;
     };

@@ -14,11 +14,13 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<const char*, 3> kLensFields{"fovy_deg", "near", "far"};
+constexpr std::array<const char*, 4> kLensFields{"fovy_deg", "near", "far", "height"};
+constexpr const char* kProjection = "projection";
 constexpr std::array<const char*, 3> kPoseFields{"eye", "target", "up"};
 
 /// The place of a name in a list; the list's length where it has no such name.
-size_t placeOf(const std::array<const char*, 3>& names, const std::string& name) {
+template <size_t kCount>
+size_t placeOf(const std::array<const char*, kCount>& names, const std::string& name) {
     return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
@@ -37,6 +39,11 @@ public:
         m_path.fovy = Angle::fromDegrees(m_lens[0].value_or(45.0));
         m_path.nearDistance = m_lens[1].value_or(m_path.nearDistance);
         m_path.farDistance = m_lens[2].value_or(m_path.farDistance);
+        m_path.height = m_lens[3].value_or(m_path.height);
+        if (!m_projection) throwInput(CULLSCOPE_TR("%1: \"projection\" must be \"perspective\" or \"parallel\"."), {m_file});
+        m_path.projection = *m_projection;
+        if (*m_projection == ProjectionKind::Parallel && !m_lens[3])
+            throwInput(CULLSCOPE_TR("%1: a parallel projection needs its \"height\", in scene units."), {m_file});
         return std::move(m_path);
     }
 
@@ -45,7 +52,11 @@ public:
     bool number_float(number_float_t value, const string_t&) override { return number(value); }
     bool null() override { return begin(Kind::Other); }
     bool boolean(bool) override { return begin(Kind::Other); }
-    bool string(string_t&) override { return begin(Kind::Other); }
+    bool string(string_t& value) override {
+        begin(Kind::Other);
+        if (!m_places.empty() && m_places.back() == Place::Path && m_key == kProjection) m_projection = projectionFromId(value);
+        return true;
+    }
     bool binary(binary_t&) override { return begin(Kind::Other); }
     bool start_object(std::size_t) override { return begin(Kind::Object); }
     bool start_array(std::size_t) override { return begin(Kind::List); }
@@ -109,6 +120,7 @@ private:
             m_path.poses.clear();
             return m_hasPoses ? Place::Poses : Place::Ignored;
         }
+        if (m_key == kProjection) m_projection.reset();
         if (const size_t field = placeOf(kLensFields, m_key); field < kLensFields.size()) m_lensIsWrong[field] = true;
         return Place::Ignored;
     }
@@ -153,8 +165,9 @@ private:
     CameraPath m_path;
     std::vector<Place> m_places;
     std::string m_key;  ///< the last one
-    std::array<std::optional<double>, 3> m_lens;
-    std::array<bool, 3> m_lensIsWrong{};
+    std::array<std::optional<double>, kLensFields.size()> m_lens;
+    std::array<bool, kLensFields.size()> m_lensIsWrong{};
+    std::optional<ProjectionKind> m_projection = ProjectionKind::Perspective;  ///< none: its word is wrong
     bool m_hasPoses = false;
     // Of the pose that is being read:
     size_t m_field = 0;
@@ -182,6 +195,10 @@ CameraPath readCameraPath(const std::filesystem::path& file) {
 void writeCameraPath(const std::filesystem::path& file, const CameraPath& path) {
     const auto array = [](const Vec3& v) { return Json::array({v.x, v.y, v.z}); };
     nlohmann::ordered_json json{{"fovy_deg", path.fovy.degrees()}, {"near", path.nearDistance}, {"far", path.farDistance}};
+    if (path.projection == ProjectionKind::Parallel) {
+        json[kProjection] = projectionId(path.projection);
+        json["height"] = path.height;
+    }
     json["poses"] = nlohmann::ordered_json::array();
     for (const CameraPath::Pose& pose : path.poses)
         json["poses"].push_back({{"eye", array(pose.eye)}, {"target", array(pose.target)}, {"up", array(pose.up)}});

@@ -8,6 +8,11 @@ InstanceFromEye::InstanceFromEye(const Scene& scene, size_t instance, const Vec3
     m_mirrored = glm::determinant(m_linear) < 0.0;
 }
 
+InstanceFromEye::InstanceFromEye(const Scene& scene, size_t instance, const Camera& camera)
+    : InstanceFromEye(scene, instance, camera.eye) {
+    if (camera.projection == ProjectionKind::Parallel) m_sight = camera.target - camera.eye;
+}
+
 std::array<Vec3, 3> InstanceFromEye::corners(uint64_t triangle) const {
     std::array<Vec3, 3> corners;
     for (size_t i = 0; i < 3; ++i)
@@ -17,8 +22,9 @@ std::array<Vec3, 3> InstanceFromEye::corners(uint64_t triangle) const {
 
 bool InstanceFromEye::facesAway(uint64_t triangle) const {
     const auto [a, b, c] = corners(triangle);
-    // The eye is the origin: a value above 0 means that it lies behind the plane of a counter-clockwise triangle.
-    const double behind = glm::dot(glm::cross(b - a, c - a), a);
+    // A line of sight from the origin, which is the eye, to a corner: a value above 0 means that it meets the back of a
+    // counter-clockwise triangle.
+    const double behind = glm::dot(glm::cross(b - a, c - a), m_sight.value_or(a));
     return m_mirrored ? behind < 0.0 : behind > 0.0;
 }
 

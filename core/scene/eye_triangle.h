@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
+#include "core/scene/camera.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {
@@ -11,6 +13,8 @@ namespace cullscope {
 class InstanceFromEye {
 public:
     InstanceFromEye(const Scene& scene, size_t instance, const Vec3& eye);
+    /// From a camera's eye; facing is judged along the view direction where the camera is a parallel one.
+    InstanceFromEye(const Scene& scene, size_t instance, const Camera& camera);
 
     /// The corners of a triangle, counted from 0 within the instance, in the mesh's order.
     [[nodiscard]] std::array<Vec3, 3> corners(uint64_t triangle) const;
@@ -23,6 +27,7 @@ private:
     Mat3 m_linear;
     Vec3 m_translation;
     bool m_mirrored;
+    std::optional<Vec3> m_sight;  ///< the direction of all lines of sight; none: they begin at the eye
 };
 
 }  // namespace cullscope

@@ -10,6 +10,7 @@
 #include "core/scene/scene_source.h"
 #include "core/visibility/overlay.h"
 #include "core/visibility/subject_shape.h"
+#include "core/visibility/why.h"
 
 namespace cullscope {
 
@@ -27,9 +28,22 @@ void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
     frame.setFacing(m_facing);
     // Each time is told once: a frame without a measured time leaves none to the next.
     frame.setFrameBefore(std::exchange(state.frameMilliseconds, std::nullopt));
-    m_strategy->draw(frame, *m_structure, state, m_parameters);
+    if (unserved(frame.view().camera()))
+        drawEverything(frame);
+    else
+        m_strategy->draw(frame, *m_structure, state, m_parameters);
     const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
     frame.setCullMilliseconds(passed.count() - frame.drawingMilliseconds() - frame.untimedMilliseconds());
+}
+
+void BuiltStrategy::drawEverything(FrameContext& frame) {
+    DrawList list{frame.facing(), {}};
+    for (uint32_t i = 0; i < frame.scene().instances().size(); ++i) {
+        const auto indices = uint32_t(frame.scene().meshOf(i).indices().size());
+        if (indices > 0) list.ranges.push_back({i, 0, indices});
+        if (frame.recording()) frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+    }
+    frame.draw(std::move(list));
 }
 
 FrameLog BuiltStrategy::decide(const View& culling, ViewState& state, bool recording) const {
@@ -39,6 +53,7 @@ FrameLog BuiltStrategy::decide(const View& culling, ViewState& state, bool recor
 }
 
 StructureSnapshot BuiltStrategy::snapshot(const FrameLog& log) const {
+    if (unserved(log.camera)) return {};
     StructureSnapshot snapshot = m_strategy->snapshot(*m_structure, log);
     if (m_info.first(Show::Kind::Tree) == nullptr) snapshot.nodes.clear();
     return snapshot;
@@ -48,12 +63,28 @@ SubjectShape BuiltStrategy::groupShape(const StructureSnapshot& snapshot, uint32
     return m_strategy->groupShape(*m_structure, snapshot, number);
 }
 
-NamedParts BuiltStrategy::parts(const FrameLog& log) const { return m_strategy->parts(*m_structure, log); }
+NamedParts BuiltStrategy::parts(const FrameLog& log) const {
+    return unserved(log.camera) ? namedParts(scene(), log) : m_strategy->parts(*m_structure, log);
+}
 
-NamedParts BuiltStrategy::partsByLeaf(const FrameLog& log) const { return m_strategy->partsByLeaf(*m_structure, log); }
+NamedParts BuiltStrategy::partsByLeaf(const FrameLog& log) const {
+    return unserved(log.camera) ? namedParts(scene(), log) : m_strategy->partsByLeaf(*m_structure, log);
+}
+
+std::string BuiltStrategy::frameLine(const FrameLog& log) const {
+    const std::optional<Message> reason = unserved(log.camera);
+    return reason ? reason->english() : m_strategy->frameLine(*m_structure, log);
+}
+
+void BuiltStrategy::addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const {
+    if (std::optional<Message> reason = unserved(log.camera))
+        steps.push_back({std::move(*reason), {}, {}, {}, Containment::Straddles, false, false});
+    else
+        m_strategy->addWhySteps(*m_structure, log, instance, triangle, steps);
+}
 
 std::vector<OverlayLines> BuiltStrategy::overlay(std::string_view id, const OverlayContext& context, const FrameLog& log) const {
-    if (m_info.show(id) == nullptr) return {};
+    if (m_info.show(id) == nullptr || unserved(log.camera)) return {};
     return m_strategy->overlay(id, context, *m_structure, log);
 }
 
@@ -61,6 +92,8 @@ std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::stri
     const auto absent = [&](AbsentShow sentence, std::string_view ofColouring) {
         return sentence(commandLineOption(id, ofColouring), m_info.id, strategiesShowing(id, ofColouring));
     };
+    if (id == kBoxesShow)
+        if (auto reason = unserved(log.camera)) return reason;
     if (id == kBoxesShow && snapshot(log).nodes.empty())
         return Message{"%1: this strategy tests no boxes. Leave it out, or choose one that tests bounds.",
                        {commandLineOption(id)}};
@@ -70,6 +103,7 @@ std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::stri
         if (known == declared.end() || (*known)->absent == nullptr) return std::nullopt;
         return absent((*known)->absent, {});
     }
+    if (auto reason = unserved(log.camera)) return reason;
     const auto own = m_strategy->whyNotShown(id, colouring, *m_structure, log);
     if (own || colouring.empty()) return own;
     const auto has = [&](const Show& show) {
@@ -83,12 +117,12 @@ std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::stri
 
 CellMapPointer BuiltStrategy::directionMap(std::string_view id, const FrameLog& log,
                                            const std::optional<uint32_t>& object) const {
-    return m_info.show(id) == nullptr ? nullptr : m_strategy->directionMap(id, *m_structure, log, object);
+    return m_info.show(id) == nullptr || unserved(log.camera) ? nullptr : m_strategy->directionMap(id, *m_structure, log, object);
 }
 
 std::optional<Curve> BuiltStrategy::curve(std::string_view id, const FrameLog& log, const std::optional<uint32_t>& object,
                                           const std::optional<uint32_t>& part) const {
-    if (m_info.show(id) == nullptr) return std::nullopt;
+    if (m_info.show(id) == nullptr || unserved(log.camera)) return std::nullopt;
     return m_strategy->curve(id, *m_structure, log, object, part);
 }
 
@@ -96,7 +130,7 @@ std::vector<Bars> BuiltStrategy::bars(const FrameLog& log) const {
     std::vector<Bars> all;
     for (const Show& show : m_info.shows) {
         if (show.kind != Show::Kind::Bars) continue;
-        all.push_back(m_strategy->bars(show.id, *m_structure, log));
+        all.push_back(unserved(log.camera) ? Bars{} : m_strategy->bars(show.id, *m_structure, log));
         all.back().title = show.title;
     }
     return all;

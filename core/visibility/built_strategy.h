@@ -20,9 +20,13 @@ public:
     [[nodiscard]] const ScenePointer& scenePointer() const { return m_structure->scenePointer(); }
 
     [[nodiscard]] Promise promise() const { return m_strategy->promise(*m_structure, m_parameters, m_facing); }
+    /// Everything is drawn in a view that the strategy does not serve: that loses nothing.
     [[nodiscard]] Promise promiseAt(const View& view) const {
+        if (unserved(view.camera())) return Promise::Conservative;
         return m_strategy->promiseAt(*m_structure, m_parameters, m_facing, view);
     }
+    /// Why it draws everything in the views of a camera; none where it decides.
+    [[nodiscard]] std::optional<Message> unserved(const Camera& camera) const { return cullscope::unserved(m_info, camera); }
     [[nodiscard]] Facing facing() const { return m_facing; }
     [[nodiscard]] Facing referenceFacing() const { return m_referenceFacing; }
 
@@ -65,12 +69,13 @@ public:
     [[nodiscard]] std::optional<ListingState> listing(const FrameLog& log) const;
     /// The same of the decisions about one triangle (frame/listing.h).
     [[nodiscard]] std::optional<ListingState> listing(const FrameLog& log, uint64_t triangle) const;
-    [[nodiscard]] std::string frameLine(const FrameLog& log) const { return m_strategy->frameLine(*m_structure, log); }
-    void addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const {
-        m_strategy->addWhySteps(*m_structure, log, instance, triangle, steps);
-    }
+    [[nodiscard]] std::string frameLine(const FrameLog& log) const;
+    void addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const;
 
 private:
+    /// The frame of a view that the strategy does not serve.
+    static void drawEverything(FrameContext& frame);
+
     StrategyInfo m_info;
     std::shared_ptr<const Strategy> m_strategy;
     ParameterSet m_parameters;

@@ -53,8 +53,8 @@ struct EyeBounds {
 
 /// A pixel's width in world units at the box's farthest distance ahead: by so much a box grows before OpenGL is asked about it.
 [[nodiscard]] inline double pixelAtFarthest(const EyeBox& box, const View& view) {
-    const double pixel = 2.0 * view.frustum().tanHalfHeight / view.viewport().height;
-    return pixel * std::max(farthestAhead(box, view.frustum()), 0.0);
+    const double farthest = std::max(farthestAhead(box, view.frustum()), 0.0);
+    return 2.0 * view.frustum().halfHeightAt(farthest) / view.viewport().height;
 }
 
 }  // namespace cullscope

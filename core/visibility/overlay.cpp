@@ -14,7 +14,7 @@ double pixelsOf(const View& viewing, const Vec3& place, double length) {
     const Frustum& frustum = viewing.frustum();
     const double distance = glm::dot(place - viewing.eye(), frustum.forward);
     const double height = viewing.viewport().height;
-    return distance > length ? 0.5 * height * length / (distance * frustum.tanHalfHeight) : height;
+    return frustum.parallel() || distance > length ? 0.5 * height * length / frustum.halfHeightAt(distance) : height;
 }
 
 void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, const Vec3& place, double radius, MarkShape shape,
@@ -22,7 +22,7 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
     const Frustum& frustum = context.viewing.frustum();
     const double distance = glm::dot(place - context.viewing.eye(), frustum.forward);
     if (!(distance > 0.0)) return;
-    const double size = radius * context.style.unit * 2.0 * frustum.tanHalfHeight * distance / context.viewing.viewport().height;
+    const double size = radius * context.style.unit * 2.0 * frustum.halfHeightAt(distance) / context.viewing.viewport().height;
     const auto at = [&](double right, double up) { return place + (frustum.right * right + frustum.up * up) * size; };
     if (shape == MarkShape::Cross) {
         lines.push_back({at(-1.0, -1.0), at(1.0, 1.0), colour});

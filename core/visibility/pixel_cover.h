@@ -16,15 +16,15 @@ public:
     /// plane or behind it. `box` is relative to the eye. NaN in the box: all pixels.
     [[nodiscard]] uint64_t of(const EyeBox& box) const;
     /// A length at a distance ahead of the eye is at least this many pixels for each scene unit: for tests that need no corners.
-    [[nodiscard]] double pixelsPerUnit(double ahead) const { return m_pixels / ahead; }
-    /// By how much a projection grows on each side for the rounding of a picture, in pixels.
-    [[nodiscard]] double room() const { return m_room; }
+    [[nodiscard]] double pixelsPerUnit(double ahead) const { return m_frustum.parallel() ? m_pixels : m_pixels / ahead; }
+    /// By how much the projection of what lies in a box grows on each side for the rounding of a picture, in pixels.
+    [[nodiscard]] double roomFor(const EyeBox& box) const;
 
 private:
     Frustum m_frustum;
     Viewport m_size;
     double m_pixels;  ///< the width of a unit at distance 1, in pixels
-    double m_room;    ///< by how much a projection grows on each side, in pixels
+    double m_room;    ///< in perspective: by how much a projection grows on each side, in pixels
 };
 
 }  // namespace cullscope

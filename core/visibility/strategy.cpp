@@ -43,6 +43,12 @@ void requireAvailable(const StrategyInfo& info, const GlInfo& gl) {
     if (const std::optional<Message> why = unavailable(info, gl)) throwOpenGl(why->text, why->arguments);
 }
 
+std::optional<Message> unserved(const StrategyInfo& info, const Camera& camera) {
+    if (!info.needsEyePoint || camera.projection == ProjectionKind::Perspective) return std::nullopt;
+    return Message{CULLSCOPE_TR("%1 needs the place of an eye, and a parallel view has none: every triangle is drawn."),
+                   {info.id}};
+}
+
 Facing Strategy::facing(const Scene& scene, const ParameterSet& parameters) const { return resolveFacing(parameters, scene); }
 
 SubjectShape Strategy::groupShape(const Structure& /*structure*/, const StructureSnapshot& snapshot, uint32_t number) const {

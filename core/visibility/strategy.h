@@ -74,6 +74,8 @@ struct StrategyInfo {
     /// With CompatibilityProfile: why it cannot be used with an OpenGL that gives none, and what to use instead. One English
     /// sentence, marked for translation; %1 is the strategy's id, %2 the name of that OpenGL.
     std::string withoutProfile{};
+    /// Its method asks where the eye is: a parallel view has none, so it decides nothing there and draws everything (unserved).
+    bool needsEyePoint = false;
 
     /// The show with this id; null where the strategy declares none.
     [[nodiscard]] const Show* show(std::string_view showId) const;
@@ -85,6 +87,9 @@ struct StrategyInfo {
 [[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl);
 /// Throws Error(OpenGl) with that reason.
 void requireAvailable(const StrategyInfo& info, const GlInfo& gl);
+
+/// Why a strategy decides nothing in the views of a camera and draws every triangle there; none where it serves them.
+[[nodiscard]] std::optional<Message> unserved(const StrategyInfo& info, const Camera& camera);
 
 /// Size and build time of a strategy's structures, for `cullbench inspect` and result files.
 struct StructureReport {

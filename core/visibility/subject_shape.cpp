@@ -146,7 +146,7 @@ private:
         }
     }
 
-    /// The pyramid from the eye through a rectangle of the picture, to the end of the scene.
+    /// The lines of sight through the corners of a rectangle of the picture, from the eye, to the end of the scene.
     void addSight(const Vec2& low, const Vec2& high) {
         const View view(m_log.camera, m_log.size);
         double far = m_log.camera.nearDistance;
@@ -158,8 +158,8 @@ private:
         far = std::min(far, m_log.camera.farDistance);
         std::vector<Vec3> end;
         for (const Vec2& corner : {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)}) {
-            end.push_back(view.eye() + far * view.direction(corner.x, corner.y));
-            m_shape.sight.push_back({view.eye(), end.back()});
+            end.push_back(view.pointAt(corner.x, corner.y, far));
+            m_shape.sight.push_back({view.pointAt(corner.x, corner.y, 0.0), end.back()});
         }
         end.push_back(end.front());
         m_shape.sight.push_back(std::move(end));

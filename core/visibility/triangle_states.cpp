@@ -141,7 +141,7 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
     if (truth.has_value())
         for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
     for (const DrawRange& range : list.ranges) {
-        const InstanceFromEye instance(scene, range.instance, log.camera.eye);
+        const InstanceFromEye instance(scene, range.instance, log.camera);
         const Submitted submitted{truth, dropsBacks(scene, range.instance, log.facing),
                                   truth.has_value() && dropsBacks(scene, range.instance, truth->facing)};
         const uint64_t first = scene.firstTriangle(range.instance);

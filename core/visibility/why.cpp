@@ -256,7 +256,7 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
         log.commands, [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });
     steps.push_back({{lastSentence(given, ownPicture), {}}, {}, {}, {}, containment, false, true});
     if (given && !ownPicture) {
-        const bool away = InstanceFromEye(scene, instance, log.camera.eye).facesAway(own);
+        const bool away = InstanceFromEye(scene, instance, log.camera).facesAway(own);
         const Facing facing = facingOf(scene, instance, log.facing);
         const bool dropped = facing == Facing::Front && away;
         const Containment drawnSide = dropped ? Containment::Outside : Containment::Straddles;

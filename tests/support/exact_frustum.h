@@ -21,7 +21,8 @@ public:
 
     [[nodiscard]] Distances distances(const QuadVector& point) const {
         const Quad x = dot(m_right, point), y = dot(m_up, point), depth = dot(m_forward, point);
-        const Quad wide = Quad(m_frustum.tanHalfWidth) * depth, tall = Quad(m_frustum.tanHalfHeight) * depth;
+        const Quad wide = Quad(m_frustum.halfWidth) + Quad(m_frustum.tanHalfWidth) * depth,
+                   tall = Quad(m_frustum.halfHeight) + Quad(m_frustum.tanHalfHeight) * depth;
         return {wide + x, wide - x, tall + y, tall - y, depth - m_frustum.nearDistance, m_far - depth};
     }
     [[nodiscard]] bool meets(const QuadBox& box) const {
@@ -34,8 +35,8 @@ public:
         std::array<QuadVector, 8> corners;
         for (size_t i = 0; i < 8; ++i) {
             const Quad depth = i < 4 ? m_frustum.nearDistance : m_far;
-            const Quad x = depth * m_frustum.tanHalfWidth * (i % 4 == 0 || i % 4 == 3 ? -1 : 1);
-            const Quad y = depth * m_frustum.tanHalfHeight * (i % 4 < 2 ? -1 : 1);
+            const Quad x = (m_frustum.halfWidth + depth * m_frustum.tanHalfWidth) * (i % 4 == 0 || i % 4 == 3 ? -1 : 1);
+            const Quad y = (m_frustum.halfHeight + depth * m_frustum.tanHalfHeight) * (i % 4 < 2 ? -1 : 1);
             corners[i] = plus(plus(scaled(m_right, x), scaled(m_up, y)), scaled(m_forward, depth));
         }
         constexpr size_t kFaces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 3, 7, 4}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 2, 6, 7}};

@@ -38,6 +38,7 @@ PixelEdges::PixelEdges(const Scene& scene, const Camera& camera, const Viewport&
     const Axis right = unit(cross(forward, up));
     m_axes = {right, cross(right, forward), forward};
     m_tanHalfHeight = std::tan(Real(camera.fovy.radians()) / 2);
+    if (camera.projection == ProjectionKind::Parallel) m_tanHalfHeight = Real(camera.height) / 2;
     m_tanHalfWidth = m_tanHalfHeight * viewport.width / viewport.height;
 }
 
@@ -77,9 +78,11 @@ std::vector<PixelEdges::Pixel> PixelEdges::cornersOf(uint64_t triangle) const {
     }
 
     std::vector<Pixel> corners;
-    for (const Point& p : polygon)
-        corners.push_back({(p.right / (p.forward * m_tanHalfWidth) + 1) * m_viewport.width / 2,
-                           (p.up / (p.forward * m_tanHalfHeight) + 1) * m_viewport.height / 2});
+    for (const Point& p : polygon) {
+        const Real by = m_camera.projection == ProjectionKind::Parallel ? Real(1) : p.forward;
+        corners.push_back({(p.right / (by * m_tanHalfWidth) + 1) * m_viewport.width / 2,
+                           (p.up / (by * m_tanHalfHeight) + 1) * m_viewport.height / 2});
+    }
     return corners;
 }
 

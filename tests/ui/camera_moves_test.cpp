@@ -37,6 +37,69 @@ TEST(Navigation, zoomKeepsThePointUnderThePointer) {
     }
 }
 
+Camera someParallel(std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    Camera camera;
+    camera.eye = Vec3(unit(random), unit(random), 3.0 + unit(random));
+    camera = inParallel(camera);
+    camera.height *= 1.5 + unit(random);
+    return camera;
+}
+
+TEST(ParallelNavigation, zoomAndPanKeepThePointUnderThePointer) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        const Camera camera = someParallel(random);
+        const View view(camera, kSize);
+        const Vec3 point(unit(random), unit(random), unit(random));
+        const Vec2 before = pixelOf(view, point);
+        for (const double factor : {0.85, 1.3}) {
+            const Camera next = zoomed(camera, point, factor, 1.0);
+            EXPECT_NEAR(next.height, factor * camera.height, 1e-12);
+            EXPECT_NEAR(glm::length(pixelOf(View(next, kSize), point) - before), 0.0, 1e-6);
+        }
+        const Vec2 to = before + Vec2(31.0, -17.0);
+        const double distance = glm::dot(point - view.eye(), view.frustum().forward);
+        EXPECT_NEAR(glm::length(pixelOf(View(panned(view, distance, before, to), kSize), point) - to), 0.0, 1e-6);
+        // What is under the pixel at that depth is the point.
+        EXPECT_NEAR(glm::length(pointUnder(view, before, view.depthFromDistance(distance)) - point), 0.0, 1e-6);
+    }
+}
+
+TEST(ParallelNavigation, theWholeSceneStaysInTheViewVolumeAndItsPicture) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        const Sphere scene{Vec3(unit(random), unit(random), unit(random)) * 10.0, 0.5 + std::abs(unit(random))};
+        const Camera some = someParallel(random);
+        const Camera camera = withClipPlanes(some, scene, std::nullopt);
+        ASSERT_NO_THROW(validate(camera, kSize));
+        const View view(camera, kSize);
+        const double ahead = glm::dot(scene.centre - camera.eye, view.frustum().forward);
+        EXPECT_LE(camera.nearDistance, ahead - scene.radius);
+        EXPECT_GE(camera.farDistance, ahead + scene.radius);
+        // Its place in the picture does not change by that.
+        EXPECT_NEAR(glm::length(pixelOf(view, scene.centre) - pixelOf(View(some, kSize), scene.centre)), 0.0, 1e-6);
+        const Camera all = withClipPlanes(framed(camera, UpAxis::Y, scene, 4.0 / 3.0), scene, std::nullopt);
+        const View shown(all, kSize);
+        const Frustum& f = shown.frustum();
+        for (const Vec3& axis : {f.right, -f.right, f.up, -f.up}) {
+            const Vec2 pixel = pixelOf(shown, scene.centre + scene.radius * axis);
+            EXPECT_TRUE(pixel.x >= 0 && pixel.x <= kSize.width && pixel.y >= 0 && pixel.y <= kSize.height);
+        }
+    }
+}
+
+TEST(ParallelNavigation, flyingForwardShowsLessAndBackMore) {
+    std::mt19937 random(7);
+    const Camera camera = someParallel(random);
+    const View view(camera, kSize);
+    EXPECT_LT(flown(view, {0, 0, 0.5}).height, camera.height);
+    EXPECT_GT(flown(view, {0, 0, -0.5}).height, camera.height);
+    EXPECT_EQ(flown(view, {0.5, 0.2, 0}).height, camera.height);
+}
+
 TEST(Navigation, zoomNeverSticksOrGoesThroughNaN) {
     for (const Vec3& offset : {Vec3(0.0), Vec3(1e7, -1e7, 3e6)}) {
         const Sphere scene{offset, 1.0};

@@ -40,24 +40,44 @@ TEST_F(NamedViews, lookFromTheirDirectionAtTheSameDistance) {
     EXPECT_EQ(glm::dot(directionOf(namedViews()[4], UpAxis::Z), Vec3(0, 0, 1)), 1.0) << "from above";
 }
 
-TEST_F(NamedViews, almostParallelKeepsTheScaleAtTheTargetAndIsTakenBack) {
+TEST_F(NamedViews, parallelKeepsTheScaleAtTheTargetAndIsTakenBack) {
     const Camera before = session.camera();
-    const auto heightAtTarget = [](const Camera& camera) {
-        return glm::length(camera.eye - camera.target) * std::tan(camera.fovy.radians() / 2.0);
-    };
-    setAlmostParallel(session, true);
+    const double size = heightAtTarget(before);
+    setProjection(session, ProjectionKind::Parallel);
     const Camera parallel = session.camera();
-    EXPECT_TRUE(isAlmostParallel(parallel));
-    EXPECT_FALSE(isAlmostParallel(before));
-    EXPECT_NEAR(heightAtTarget(parallel), heightAtTarget(before), 1e-9 * heightAtTarget(before));
-    // Sizes before and behind the target, at the ends of the scene's depth, differ by less than one per cent.
-    const double distance = glm::length(parallel.eye - parallel.target), radius = session.scene()->boundingSphere().radius;
-    EXPECT_LT((distance + radius) / (distance - radius), 1.01);
-    EXPECT_LE(parallel.nearDistance, distance - radius);
-    EXPECT_GE(parallel.farDistance, distance + radius);
-    setAlmostParallel(session, false);
-    EXPECT_NEAR(glm::length(session.camera().eye - before.eye), 0.0, 1e-9 * distance);
+    EXPECT_EQ(parallel.projection, ProjectionKind::Parallel);
+    EXPECT_DOUBLE_EQ(parallel.height, size);
+    // The whole scene lies in the view volume.
+    const Sphere around = session.scene()->boundingSphere();
+    const double ahead = glm::dot(around.centre - parallel.eye, glm::normalize(parallel.target - parallel.eye));
+    EXPECT_LE(parallel.nearDistance, ahead - around.radius);
+    EXPECT_GE(parallel.farDistance, ahead + around.radius);
+    for (const NamedView& view : namedViews()) {
+        lookFrom(session, view);
+        EXPECT_EQ(session.camera().projection, ProjectionKind::Parallel) << view.name;
+        EXPECT_DOUBLE_EQ(session.camera().height, size) << view.name;
+    }
+    lookFrom(session, namedViews().front());
+    setProjection(session, ProjectionKind::Perspective);
+    EXPECT_EQ(session.camera().projection, ProjectionKind::Perspective);
+    EXPECT_NEAR(heightAtTarget(session.camera()), size, 1e-9 * size);
     EXPECT_DOUBLE_EQ(session.camera().fovy.degrees(), before.fovy.degrees());
+}
+
+TEST_F(NamedViews, anObserverOfAParallelViewSeesAllOfItsVolumeInPerspective) {
+    setProjection(session, ProjectionKind::Parallel);
+    session.setViewCount(2);
+    session.setViewport(1, {400, 300});
+    session.observe(1, 0);
+    const Camera watching = session.viewingCamera(1);
+    EXPECT_EQ(watching.projection, ProjectionKind::Perspective);
+    const View view(watching, {400, 300});
+    for (const Vec3& corner : session.cullingView(1).frustum().corners()) {
+        const Vec4 clip = view.clipFromEyeRelative() * Vec4(session.camera().eye + corner - watching.eye, 1.0);
+        EXPECT_GT(clip.w, 0.0);
+        EXPECT_LE(std::abs(clip.x), 1.001 * clip.w);
+        EXPECT_LE(std::abs(clip.y), 1.001 * clip.w);
+    }
 }
 
 }  // namespace

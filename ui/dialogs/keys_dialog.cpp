@@ -58,6 +58,7 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                            {tr("[ and ]"), tr("fly slower, faster; the speed follows what is ahead")},
                            {tr("Arrow keys"), tr("turn; with Shift: pan")},
                            {tr("+ and −"), tr("zoom")},
+                           {QStringLiteral("5"), tr("parallel view, or perspective")},
                            {tr("Home"), tr("back to the first view")},
                            {tr(". (full stop)"), tr("show the whole scene")},
                            {tr("Alt + 1 … 4"), tr("go to a kept camera; with Shift: keep this one")},

@@ -84,8 +84,11 @@ void CameraRecorder::add(const Camera& camera) {
         m_path.fovy = camera.fovy;
         m_path.nearDistance = camera.nearDistance;
         m_path.farDistance = camera.farDistance;
+        m_path.projection = camera.projection;
+        m_path.height = camera.height;
     }
-    m_lensDiffers = m_lensDiffers || camera.fovy != m_path.fovy;
+    m_lensDiffers =
+        m_lensDiffers || camera.fovy != m_path.fovy || camera.projection != m_path.projection || camera.height != m_path.height;
     m_path.nearDistance = std::min(m_path.nearDistance, camera.nearDistance);
     m_path.farDistance = std::max(m_path.farDistance, camera.farDistance);
     m_path.poses.push_back({camera.eye, camera.target, camera.up});

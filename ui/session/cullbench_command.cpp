@@ -41,12 +41,15 @@ double exactDegrees(Angle angle) {
 QStringList cameraWords(const QString& prefix, const Camera& camera) {
     const QString dashes = QStringLiteral("--") + prefix;
     // Written with "=", so that a coordinate with a minus sign is not parsed as an option.
-    return {dashes + QStringLiteral("eye=") + triple(camera.eye),
-            dashes + QStringLiteral("target=") + triple(camera.target),
-            dashes + QStringLiteral("up=") + triple(camera.up),
-            dashes + QStringLiteral("fovy=") + number(exactDegrees(camera.fovy)),
-            dashes + QStringLiteral("near=") + number(camera.nearDistance),
-            dashes + QStringLiteral("far=") + number(camera.farDistance)};
+    QStringList words{dashes + QStringLiteral("eye=") + triple(camera.eye),
+                      dashes + QStringLiteral("target=") + triple(camera.target),
+                      dashes + QStringLiteral("up=") + triple(camera.up),
+                      dashes + QStringLiteral("fovy=") + number(exactDegrees(camera.fovy)),
+                      dashes + QStringLiteral("near=") + number(camera.nearDistance),
+                      dashes + QStringLiteral("far=") + number(camera.farDistance)};
+    if (camera.projection == ProjectionKind::Parallel)
+        words << dashes + QStringLiteral("projection=parallel") << dashes + QStringLiteral("height=") + number(camera.height);
+    return words;
 }
 
 QStringList lookWords(const ViewLook& look) {
@@ -75,7 +78,12 @@ QStringList cullbenchArguments(const PictureSubject& picture, const QString& out
     for (const std::string& parameter : changedParameters(picture.parameters))
         words << QStringLiteral("-p") << QString::fromStdString(parameter);
     words << cameraWords(QString(), picture.culling);
-    if (!(picture.viewing == picture.culling)) words << cameraWords(QStringLiteral("view-"), picture.viewing);
+    if (!(picture.viewing == picture.culling)) {
+        words << cameraWords(QStringLiteral("view-"), picture.viewing);
+        // Without a word an observer has the culling camera's projection.
+        if (picture.culling.projection != picture.viewing.projection && picture.viewing.projection == ProjectionKind::Perspective)
+            words << QStringLiteral("--view-projection=perspective");
+    }
     words << QStringLiteral("--size=") + QString::fromStdString(sizeText(picture.size));
     if (!(picture.cullingSize == picture.size))
         words << QStringLiteral("--culling-size=") + QString::fromStdString(sizeText(picture.cullingSize));

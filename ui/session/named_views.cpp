@@ -1,7 +1,6 @@
 #include "ui/session/named_views.h"
 
 #include <QCoreApplication>
-#include <cmath>
 
 namespace cullscope::ui {
 
@@ -26,18 +25,12 @@ void lookFrom(Session& session, const NamedView& view) {
     session.setViewingCamera(active, seenFrom(session.viewingCamera(active), up, directionOf(view, up)));
 }
 
-bool isAlmostParallel(const Camera& camera) { return camera.fovy.degrees() <= kAlmostParallelDegrees * 1.001; }
-
-void setAlmostParallel(Session& session, bool parallel) {
+void setProjection(Session& session, ProjectionKind projection) {
     if (!session.opened()) return;
     const int active = session.activeView();
-    Camera camera = session.viewingCamera(active);
-    const Angle fovy = parallel ? Angle::fromDegrees(kAlmostParallelDegrees) : session.defaultFovy();
-    // The height of the picture at the target is 2 distance tan(fovy / 2).
-    const double farther = std::tan(camera.fovy.radians() / 2.0) / std::tan(fovy.radians() / 2.0);
-    camera.eye = camera.target + farther * (camera.eye - camera.target);
-    camera.fovy = fovy;
-    session.setViewingCamera(active, camera);
+    const Camera& camera = session.viewingCamera(active);
+    if (camera.projection == projection) return;
+    session.setViewingCamera(active, projection == ProjectionKind::Parallel ? inParallel(camera) : inPerspective(camera));
 }
 
 }  // namespace cullscope::ui

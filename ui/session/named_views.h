@@ -22,11 +22,7 @@ struct NamedView {
 /// Looks from there at what the active view looks at, from the same distance.
 void lookFrom(Session& session, const NamedView& view);
 
-/// The field of view of an almost parallel projection: sizes differ by less than 1 % over a scene's depth. Every camera of the
-/// program is a perspective one, for which the strategies state their promises; this is one, too.
-inline constexpr double kAlmostParallelDegrees = 0.5;
-[[nodiscard]] bool isAlmostParallel(const Camera& camera);
-/// Changes the active view's field of view and moves the eye back or forth, so that what lies at the target keeps its size.
-void setAlmostParallel(Session& session, bool parallel);
+/// Changes the active view's projection; what lies at the target keeps its size.
+void setProjection(Session& session, ProjectionKind projection);
 
 }  // namespace cullscope::ui

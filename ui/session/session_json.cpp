@@ -18,6 +18,9 @@ constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wip
                             Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
                             Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
 
+constexpr std::array kProjections{Word<ProjectionKind>{"perspective", ProjectionKind::Perspective},
+                                  Word<ProjectionKind>{"parallel", ProjectionKind::Parallel}};
+
 constexpr const char* kFitsWindow = "window";
 constexpr std::array kSizeWords{Word<std::optional<Viewport>>{kFitsWindow, std::nullopt}};
 
@@ -87,8 +90,13 @@ Viewport readSize(const JsonField& field) {
 
 Json jsonOf(const Camera& camera) {
     // In radians: the conversion to degrees and back does not return every angle exactly.
-    return {{"eye", jsonOf(camera.eye)},         {"target", jsonOf(camera.target)}, {"up", jsonOf(camera.up)},
-            {"fovy_rad", camera.fovy.radians()}, {"near", camera.nearDistance},     {"far", camera.farDistance}};
+    Json json{{"eye", jsonOf(camera.eye)},         {"target", jsonOf(camera.target)}, {"up", jsonOf(camera.up)},
+              {"fovy_rad", camera.fovy.radians()}, {"near", camera.nearDistance},     {"far", camera.farDistance}};
+    if (camera.projection == ProjectionKind::Parallel) {
+        json["projection"] = projectionId(camera.projection);
+        json["height"] = camera.height;
+    }
+    return json;
 }
 
 Camera readCamera(const JsonField& field) {
@@ -99,6 +107,8 @@ Camera readCamera(const JsonField& field) {
     camera.fovy = Angle::fromRadians(field.at("fovy_rad").number());
     camera.nearDistance = field.at("near").number();
     camera.farDistance = field.at("far").number();
+    if (const auto projection = field.find("projection")) camera.projection = projection->oneOf<ProjectionKind>(kProjections);
+    if (camera.projection == ProjectionKind::Parallel) camera.height = field.at("height").number();
     field.checked([&] { validate(camera, {1, 1}); });
     return camera;
 }

@@ -46,6 +46,10 @@ bool flies(int key) {
 
 Camera withFovy(const Camera& camera, double factor) {
     Camera result = camera;
+    if (camera.projection == ProjectionKind::Parallel) {
+        result.height *= factor;
+        return result;
+    }
     result.fovy = Angle::fromDegrees(std::clamp(camera.fovy.degrees() * factor, kNarrowestFovy, kWidestFovy));
     return result;
 }

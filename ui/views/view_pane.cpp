@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/measure/accuracy.h"
+#include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -52,7 +53,9 @@ QStringList ViewPane::lensParts() const {
     if (m_session.chosenNear() && m_session.setup(m_view).role == Role::Linked)
         parts << tr("near plane %1").arg(QLocale().toString(m_session.camera().nearDistance, 'g', 3));
     const Camera& camera = m_session.viewingCamera(m_view);
-    if (std::abs((camera.fovy - m_session.defaultFovy()).degrees()) > 0.05)
+    if (camera.projection == ProjectionKind::Parallel)
+        parts << tr("parallel, height %1").arg(QLocale().toString(camera.height, 'g', 3));
+    else if (std::abs((camera.fovy - m_session.defaultFovy()).degrees()) > 0.05)
         parts << tr("field of view %1°").arg(QLocale().toString(camera.fovy.degrees(), 'f', 1));
     if (!parts.isEmpty()) parts = {tr("%1 (Home resets)").arg(parts.join(QStringLiteral(" · ")))};
     return parts;
@@ -79,6 +82,9 @@ QString ViewPane::chipText() const {
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
     if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");
+    if (const auto reason =
+            unserved(findStrategy(m_session.slot(m_session.culledBy(m_view)).id()).info, m_session.cullingCamera(m_view)))
+        parts << translated(*reason);
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (shown && shown->request.coarse)
         parts << tr("coarse while it moves: %1 of %2 triangles, by object")

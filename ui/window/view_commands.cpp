@@ -48,9 +48,10 @@ void ViewCommands::wire() {
     connect(m_actions.watch, &QAction::triggered, this, &ViewCommands::watch);
     connect(&m_actions, &WindowActions::namedViewChosen, this,
             [this](int index) { lookFrom(m_session, namedViews()[size_t(index)]); });
-    connect(m_actions.almostParallel, &QAction::triggered, this, [this](bool on) { setAlmostParallel(m_session, on); });
-    connect(&m_session, &Session::cameraChanged, this,
-            [this] { m_actions.almostParallel->setChecked(isAlmostParallel(m_session.viewingCamera(m_session.activeView()))); });
+    connect(m_actions.projection, &QActionGroup::triggered, this, [this](const QAction* action) {
+        setProjection(m_session, action == m_actions.parallel ? ProjectionKind::Parallel : ProjectionKind::Perspective);
+    });
+    connect(&m_session, &Session::cameraChanged, this, &ViewCommands::refreshProjection);
     for (const auto& [show, action] : m_actions.shows)
         connect(action, &QAction::triggered, this,
                 [this, show = show](bool on) { edit([&](ViewSetup& setup) { setup.look.showWithAll(*show, on); }); });
@@ -102,14 +103,22 @@ void ViewCommands::watch(bool on) {
     refresh();
 }
 
+void ViewCommands::refreshProjection() {
+    const bool parallel =
+        m_session.opened() != nullptr && m_session.viewingCamera(m_session.activeView()).projection == ProjectionKind::Parallel;
+    (parallel ? m_actions.parallel : m_actions.perspective)->setChecked(true);
+    m_actions.offerProjection(parallel ? *m_actions.perspective : *m_actions.parallel);
+}
+
 void ViewCommands::refresh() {
     const int view = m_session.activeView();
     const ViewSetup& setup = m_session.setup(view);
     const bool scene = m_session.opened() != nullptr;
     const bool model = scene && setup.look.inPlace();
     m_actions.setPictureUsable(scene, model);
-    for (QAction* action : {m_actions.almostParallel, m_actions.lookFrom->menuAction()}) action->setEnabled(scene);
-    m_actions.almostParallel->setChecked(scene && isAlmostParallel(m_session.viewingCamera(view)));
+    for (QAction* action : {m_actions.perspective, m_actions.parallel, m_actions.lookFrom->menuAction()})
+        action->setEnabled(scene);
+    refreshProjection();
     m_actions.freeze->setChecked(setup.role == Role::Frozen);
     m_actions.watch->setChecked(scene && watcher().has_value());
     for (const auto& [show, action] : m_actions.shows) action->setChecked(setup.look.has(*show));

@@ -28,6 +28,7 @@ public:
 
 private:
     void refresh();
+    void refreshProjection();
     void addObject(QMenu& menu, uint32_t object);
     /// Changes the active view's setup.
     void edit(const std::function<void(ViewSetup&)>& change);

@@ -35,11 +35,12 @@ void say(QAction* action, const QString& text, const QString& tip) {
 WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window) {
     views = new QActionGroup(this);
     upAxis = new QActionGroup(this);
+    projection = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu :
-         {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &lookFrom, &pictureSize, &panels, &m_fileMenu,
-          &m_viewMenu, &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
+    for (QMenu** menu : {&generate, &builtInPaths, &recent, &lessons, &m_editMenu, &bookmarks, &lookFrom, &pictureSize, &panels,
+                         &m_fileMenu, &m_viewMenu, &m_pictureMenu, &m_pathMenu, &m_upMenu, &m_projectionMenu, &m_appearanceMenu,
+                         &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
     makeView();
@@ -80,7 +81,8 @@ void WindowActions::makeView() {
     eightViews = option(views, QStringLiteral("8"), Qt::CTRL | Qt::Key_8, QStringLiteral("eight-views"));
     home = command(Qt::Key_Home, QStringLiteral("home"));
     frame = command(Qt::Key_Period, QStringLiteral("frame"));
-    almostParallel = toggle({});
+    perspective = option(projection, QStringLiteral("perspective"));
+    parallel = option(projection, QStringLiteral("parallel"));
     upY = option(upAxis, QStringLiteral("y"));
     upZ = option(upAxis, QStringLiteral("z"));
     stepThrough = toggle(Qt::Key_F8, QStringLiteral("step-forward"));
@@ -137,6 +139,11 @@ QAction* WindowActions::show(const std::string& id) const {
     return found == shows.end() ? nullptr : found->second;
 }
 
+void WindowActions::offerProjection(QAction& other) {
+    for (QAction* action : projection->actions())
+        action->setShortcut(action == &other ? QKeySequence(Qt::Key_5) : QKeySequence());
+}
+
 QList<QAction*> WindowActions::ofCameraPictures() const {
     QList<QAction*> actions;
     for (const auto& [show, action] : shows)
@@ -183,7 +190,8 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(lookFrom);
-    m_viewMenu->addAction(almostParallel);
+    m_viewMenu->addMenu(m_projectionMenu);
+    m_projectionMenu->addActions(projection->actions());
     m_viewMenu->addMenu(bookmarks);
     m_viewMenu->addMenu(pictureSize);
     m_viewMenu->addMenu(m_upMenu);
@@ -331,8 +339,9 @@ void WindowActions::retranslateView() {
     m_appearanceMenu->setTitle(tr("&Appearance"));
     bookmarks->setTitle(tr("Camera &bookmarks"));
     lookFrom->setTitle(tr("Look &from"));
-    say(almostParallel, tr("Al&most parallel"),
-        tr("A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale"));
+    m_projectionMenu->setTitle(tr("Pro&jection"));
+    say(perspective, tr("&Perspective"), tr("Lines of sight meet in the eye: what is farther is smaller"));
+    say(parallel, tr("P&arallel"), tr("Lines of sight run side by side: sizes do not depend on the distance (orthographic)"));
     pictureSize->setTitle(tr("Picture si&ze"));
     panels->setTitle(tr("&Panels"));
     say(oneView, tr("&1 view"), tr("Show one view"));

@@ -49,9 +49,9 @@ public:
     QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
-    QMenu* lookFrom;          ///< filled from namedViews()
-    QAction* almostParallel;  ///< for the active view
-    QMenu* pictureSize;       ///< of all views
+    QMenu* lookFrom;                  ///< filled from namedViews()
+    QAction *perspective, *parallel;  ///< for the active view
+    QMenu* pictureSize;               ///< of all views
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
@@ -64,7 +64,10 @@ public:
     QMenu* builtInPaths;  ///< filled from core's list
     // Help
     QAction *help, *keys, *about;
-    QActionGroup *views, *upAxis, *languages, *appearance;
+    QActionGroup *views, *upAxis, *projection, *languages, *appearance;
+
+    /// Gives the key that changes the projection to the one that is not in use.
+    void offerProjection(QAction& other);
 
 signals:
     /// A generator of core's list was chosen.
@@ -95,8 +98,8 @@ private:
 
     QWidget* m_window;
     bool m_modelShown = false;  ///< the active view shows a model in spherical coordinates
-    QMenu *m_editMenu, *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu,
-        *m_helpMenu;
+    QMenu *m_editMenu, *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_projectionMenu, *m_appearanceMenu,
+        *m_languageMenu, *m_helpMenu;
 };
 
 }  // namespace cullscope::ui

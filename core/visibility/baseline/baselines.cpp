@@ -1,6 +1,7 @@
 #include "core/visibility/baseline/baselines.h"
 
 #include "core/base/message.h"
+#include "core/geometry/separation.h"
 #include "core/visibility/facing.h"
 
 namespace cullscope::baseline {
@@ -49,12 +50,16 @@ protected:
 
 class Backface final : public Everything {
 public:
-    /// Inside a closed mesh only back faces are visible; an eye in an object's box may be inside its mesh.
+    /// Inside a closed mesh only back faces are visible; an eye in an object's box may be inside its mesh. In a parallel view the
+    /// near plane takes the eye's place.
     [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
                                     const View& view) const override {
         const Scene& scene = structure.scene();
         for (size_t i = 0; i < scene.instances().size(); ++i)
-            if (contains(scene.instanceBox(i), view.eye())) return Promise::Approximate;
+            if (view.frustum().parallel()
+                    ? meetsNearRectangle(view.frustum(), relativeToEye(scene.instanceBox(i), view.eye()), 0.0)
+                    : contains(scene.instanceBox(i), view.eye()))
+                return Promise::Approximate;
         return promiseOf(own(structure), parameters, facing);
     }
     [[nodiscard]] Facing facing(const Scene& /*scene*/, const ParameterSet& /*parameters*/) const override {

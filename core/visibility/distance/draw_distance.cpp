@@ -150,6 +150,7 @@ RegisteredStrategy drawDistance() {
                       CULLSCOPE_TR("Leaves out objects that lie wholly beyond a distance from the eye."),
                       "",
                       {facingParameter(), distanceParameter()}};
+    info.needsEyePoint = true;
     info.sweeps = {{kDistance, {"1", "1.5", "2", "3", "4", "6"}}};
     info.shows = {rings(), treeShow(), listing()};
     return {std::move(info), std::make_shared<DrawDistance>()};

@@ -27,8 +27,11 @@ SourcedFrustum frustumFrom(const View& view, PlaneSource source) {
     SourcedFrustum result{view.frustum()};
     if (source != PlaneSource::Rows && source != PlaneSource::Corners) return result;
     const Mat4& clip = view.clipFromEyeRelative();
-    const auto planes = source == PlaneSource::Rows ? planesFromRows(clip, ClipDepth::ReversedZeroToOne)
-                                                    : planesFromCorners(clip, ClipDepth::ReversedZeroToOne);
+    auto planes = source == PlaneSource::Rows ? planesFromRows(clip, ClipDepth::ReversedZeroToOne)
+                                              : planesFromCorners(clip, ClipDepth::ReversedZeroToOne);
+    if (planes && view.frustum().parallel())
+        for (const FrustumPlane plane : {FrustumPlane::Near, FrustumPlane::Far})
+            (*planes)[size_t(plane)].offset += depthRoom(view.frustum().farDistance);
     result.kept = planes && areNearTo(*planes, view.frustum().planes);
     if (result.kept) result.frustum.planes = *planes;
     return result;

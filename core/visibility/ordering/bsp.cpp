@@ -343,6 +343,7 @@ RegisteredStrategy bsp() {
     StrategyInfo info{"bsp", CULLSCOPE_TR("BSP tree"),
                       CULLSCOPE_TR("Draws all triangles in the order of a BSP tree, cut where its planes pass through them."),
                       "Fuchs, Kedem & Naylor 1980", bspParameters()};
+    info.needsEyePoint = true;
     info.shows = {treeShow(), splittingPlanes(), bspListing(), barsShow(kSides, CULLSCOPE_TR("Nodes by the eye's side"))};
     return {std::move(info), std::make_shared<Bsp>()};
 }

@@ -276,6 +276,7 @@ RegisteredStrategy painter() {
           "",
           CULLSCOPE_TR("How many polygons a frame may have, the cut ones among them."),
           {}}}};
+    info.needsEyePoint = true;
     info.shows = {painterListing(), barsShow(kTests, CULLSCOPE_TR("Comparisons by what decided"))};
     return {std::move(info), std::make_shared<PaintersAlgorithm>()};
 }

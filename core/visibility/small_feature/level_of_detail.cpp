@@ -67,7 +67,7 @@ public:
           m_error(parameters.real(kError)),
           m_hysteresis(parameters.real(kHysteresis)) {
         const Frustum& frustum = frame.view().frustum();
-        const double unitAhead = 0.5 * frame.view().viewport().height / frustum.tanHalfHeight;
+        const double unitAhead = 0.5 * frame.view().viewport().height / frustum.halfHeightAt(1.0);
         // Toward a corner of the picture a step along the line of sight's depth moves its point, too.
         m_pixels = unitAhead *
                    std::sqrt(1.0 + frustum.tanHalfWidth * frustum.tanHalfWidth + frustum.tanHalfHeight * frustum.tanHalfHeight);
@@ -109,7 +109,7 @@ private:
         const double nearest =
             glm::dot(m_frame.view().frustum().forward, bounds.sphere.centre) - bounds.sphere.radius - bounds.margin;
         if (!(nearest >= m_frame.view().camera().nearDistance)) return std::numeric_limits<double>::infinity();
-        return m_pixels * m_objects.stretch[instance] / nearest;
+        return m_pixels * m_objects.stretch[instance] / (m_frame.view().frustum().parallel() ? 1.0 : nearest);
     }
 
     /// The coarsest level that moves nothing by more than so many pixels; with 0 the mesh itself, for its depths have the same
@@ -165,7 +165,7 @@ private:
     const LeveledObjects& m_objects;
     LevelMemory& m_memory;
     double m_error, m_hysteresis;
-    double m_pixels = 0.0;  ///< by how many a unit at a depth of 1 moves what is seen, at most
+    double m_pixels = 0.0;  ///< by how many a unit at a depth of 1, or at any one of a parallel view, moves what is seen, at most
     OctreeWalkCounters m_walked;
     uint64_t m_coarser = 0, m_switched = 0;
     double m_move = 0.0;

@@ -24,8 +24,9 @@ constexpr uint32_t kMostBetween = 2;
 /// The mesh's vertices on the screen. NaN: what OpenGL may clip, at the near plane or beyond the picture's size on each side.
 void project(const TriangleMesh& mesh, const Mat4f& clip, const View& view, std::vector<ScreenPoint>& points) {
     const auto width = float(view.viewport().width), height = float(view.viewport().height);
-    // 2 w of the near plane: the distance ahead with room for its rounding.
-    const auto least = float(view.camera().nearDistance) * 2.0f;
+    // 2 w of the near plane: the distance ahead with room for its rounding. In a parallel view w is 1: a triangle that OpenGL
+    // clips at the near plane lies within its corners on the screen there.
+    const float least = view.frustum().parallel() ? 0.5f : float(view.camera().nearDistance) * 2.0f;
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     points.resize(mesh.vertexCount());
     for (size_t i = 0; i < points.size(); ++i) {
@@ -51,7 +52,7 @@ bool holdsCentre(float least, float most, int size) {
 }  // namespace
 
 SampledTriangles::SampledTriangles(const Scene& scene, const View& view, const PixelCover& cover)
-    : m_scene(scene), m_view(view), m_cover(cover), m_room(2.0f * float(cover.room()) + 0x1p-6f) {}
+    : m_scene(scene), m_view(view), m_cover(cover) {}
 
 std::vector<uint64_t> SampledTriangles::appendAll(std::span<const KeptObject> objects, std::vector<DrawRange>& ranges) const {
     constexpr size_t kObjects = 64;
@@ -76,6 +77,8 @@ uint64_t SampledTriangles::append(uint32_t instance, std::vector<DrawRange>& ran
     thread_local std::vector<ScreenPoint> points;
     project(mesh, m_view.clipFromPositions(m_scene.instances()[instance].worldFromMesh, mesh.origin()), m_view, points);
     const auto count = uint32_t(mesh.triangleCount());
+    // Of the picture's rounding and of that here, in pixels.
+    const float room = 2.0f * float(m_cover.roomFor(relativeToEye(m_scene.instanceBox(instance), m_view.eye()))) + 0x1p-6f;
     uint64_t drawn = 0;
     uint32_t begin = 0, end = 0;  // of the range in hand
     const auto close = [&] {
@@ -88,9 +91,8 @@ uint64_t SampledTriangles::append(uint32_t instance, std::vector<DrawRange>& ran
                           &c = points[mesh.indices()[3 * i + 2]];
         const float sum = a.x + b.x + c.x;
         const bool known = sum == sum;
-        if (known &&
-            !(holdsCentre(std::min({a.x, b.x, c.x}) - m_room, std::max({a.x, b.x, c.x}) + m_room, m_view.viewport().width) &&
-              holdsCentre(std::min({a.y, b.y, c.y}) - m_room, std::max({a.y, b.y, c.y}) + m_room, m_view.viewport().height)))
+        if (known && !(holdsCentre(std::min({a.x, b.x, c.x}) - room, std::max({a.x, b.x, c.x}) + room, m_view.viewport().width) &&
+                       holdsCentre(std::min({a.y, b.y, c.y}) - room, std::max({a.y, b.y, c.y}) + room, m_view.viewport().height)))
             continue;
         if (end == begin || i > end + kMostBetween) {
             close();

@@ -28,7 +28,6 @@ private:
     const Scene& m_scene;
     const View& m_view;
     const PixelCover& m_cover;
-    float m_room;  ///< in pixels, of the picture's rounding and of that here
 };
 
 }  // namespace cullscope::small_feature

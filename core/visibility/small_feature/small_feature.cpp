@@ -286,6 +286,7 @@ RegisteredStrategy smallFeature() {
         CULLSCOPE_TR("Leaves out groups of components that are too small for their distance; a plant's outline stays."),
         "Du et al. 2017", featureParameters()};
     info.remembers = true;
+    info.needsEyePoint = true;
     info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}},
                    {kOutline, {"0", "10", "20", "30", "40", "60"}}};
     info.shows = {outlineShow(), featureListing(), treeShow(), occupancyBarsShow()};

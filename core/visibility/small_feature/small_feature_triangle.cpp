@@ -311,6 +311,7 @@ RegisteredStrategy smallFeatureTriangle() {
                       CULLSCOPE_TR("Leaves out every triangle that is too small for its distance: the traditional way."),
                       "Du et al. 2017, its comparison",
                       {facingParameter(), threshold}};
+    info.needsEyePoint = true;
     info.sweeps = {{kTriangleThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}}};
     info.shows = {triangleListing(), treeShow()};
     return {std::move(info), std::make_shared<SmallFeatureTriangle>()};

@@ -32,8 +32,7 @@ struct ActiveEdges final : DecisionDetail {
         const View& view = frame.view();
         for (const RowEdge::End& end : of.ends) {
             const double distance = view.distanceFromDepth(std::clamp(double(end.depth), 0.0, 1.0));
-            if (std::isfinite(distance))
-                edge.line.push_back(view.eye() + distance * view.direction(double(end.x) + 0.5, double(end.y) + 0.5));
+            if (std::isfinite(distance)) edge.line.push_back(view.pointAt(double(end.x) + 0.5, double(end.y) + 0.5, distance));
         }
         if (edge.line.size() < 2) edge.line.clear();
         edges.push_back(std::move(edge));

@@ -299,6 +299,7 @@ RegisteredStrategy sphericalLossless() {
          booleanParameter("horizon", true,
                           CULLSCOPE_TR("Whether cells behind the solid's inner kernel are left out (where the mesh is "
                                        "closed)."))}};
+    info.needsEyePoint = true;
     info.sweeps = {{"level", {"4", "5", "6", "7", "8", "0"}, "0"}};
     info.shows = withListing(showsOfCells(), walkListing());
     info.shows.push_back(trianglesByTestShow());

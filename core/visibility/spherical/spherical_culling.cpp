@@ -78,6 +78,7 @@ RegisteredStrategy spherical() {
                       {facingParameter("two-sided"), rowsParameter()}};
     std::ranges::move(bandParameters(5.0, 36), std::back_inserter(info.parameters));
     std::ranges::move(readingParameters(), std::back_inserter(info.parameters));
+    info.needsEyePoint = true;
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
     info.shows = withListing(showsOfBands(), bandsListing());
     return {info, std::make_shared<Spherical>(info.id)};

@@ -75,6 +75,7 @@ RegisteredStrategy sphericalHorizon() {
                       "Han & Hong 2008, S replaced by the slope",
                       {facingParameter(), rowsParameter()}};
     std::ranges::move(bandParameters(3.0, 72), std::back_inserter(info.parameters));
+    info.needsEyePoint = true;
     info.shows = withListing(showsOfBands(), horizonListing());
     return {info, std::make_shared<SphericalHorizon>(info.id)};
 }

@@ -24,7 +24,8 @@ class PlainShading {
 public:
     PlainShading(const Scene& scene, const View& view, const Vec3f& surface)
         : m_view(view),
-          m_step(view.direction(1.0, 0.0) - view.direction(0.0, 0.0)),
+          m_step(atOne(view, 1.0, 0.0) - atOne(view, 0.0, 0.0)),
+          m_sightStep(view.direction(1.0, 0.0) - view.direction(0.0, 0.0)),
           m_surface(glm::max(surface, Vec3f(0.0f)) * 255.0f),
           m_scene(scene) {
         for (uint32_t i = 0; i < scene.instances().size(); ++i) {
@@ -37,7 +38,10 @@ public:
         const uint32_t triangle = item - 1;
         const size_t instance = m_instances.size() == 1 ? 0 : m_scene.instanceOf(triangle);
         const uint64_t own = triangle - m_scene.firstTriangle(instance);
-        const auto corners = m_instances[instance].corners(own);
+        auto corners = m_instances[instance].corners(own);
+        // A parallel view looks the same when everything is moved along its direction: here to distance 1.
+        if (m_view.frustum().parallel())
+            for (Vec3& corner : corners) corner += (1.0 - glm::dot(corner, m_view.frustum().forward)) * m_view.frustum().forward;
         const TriangleMesh& mesh = m_scene.meshOf(instance);
         ShadedTriangle result{item};
         double largest = 0.0;
@@ -55,8 +59,9 @@ public:
 
     /// Shades pixels [begin, end) of a row, which show one triangle: RGBA.
     void shade(const ShadedTriangle& triangle, int begin, int end, int row, uint8_t* rgba) const {
-        const Vec3 first = m_view.direction(begin + 0.5, row + 0.5);
-        const Vec3f direction(first), step(m_step), normal(triangle.normal * first), normalStep(triangle.normal * m_step);
+        const Vec3 first = atOne(m_view, begin + 0.5, row + 0.5);
+        const Vec3f direction(m_view.direction(begin + 0.5, row + 0.5)), step(m_sightStep), normal(triangle.normal * first),
+            normalStep(triangle.normal * m_step);
         for (int x = 0; x < end - begin; ++x, rgba += 4) {
             const Vec3f d = direction + float(x) * step, n = normal + float(x) * normalStep;
             const float squares = glm::dot(d, d) * glm::dot(n, n);
@@ -69,8 +74,12 @@ public:
     }
 
 private:
+    /// The place seen at a point of the picture at distance 1, relative to the eye.
+    static Vec3 atOne(const View& view, double x, double y) { return view.sightOrigin(x, y) + view.direction(x, y); }
+
     const View& m_view;
-    Vec3 m_step;  ///< from a pixel's direction to that of the next one in its row
+    Vec3 m_step;       ///< from a pixel's place at distance 1 to that of the next one in its row
+    Vec3 m_sightStep;  ///< the same of its direction
     Vec3f m_surface;
     const Scene& m_scene;
     std::vector<InstanceFromEye> m_instances;
@@ -129,6 +138,15 @@ TEST(PictureShading, isTheSameOfInstancesThatAreMirroredAndFlattenedAndInAPartOf
     const ScenePointer scene = sceneOf({starMesh(3, 3'000), torusMesh(2'000), meshOf({}, {}), sphereMesh(500)},
                                        {Mat4(1.0), scaling({-1.2, 1.2, 0.1}), Mat4(1.0), translation({1e-3, 0.7, 1})});
     const View view({{0.5, 1, 3}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(50), 0.1, 100}, {203, 151});
+    expectAsPlainly(*scene, view, {0, 0, view.viewport()});
+    expectAsPlainly(*scene, view, {37, 11, {101, 97}});
+}
+
+TEST(PictureShading, followsThePlainCodeInParallelViews) {
+    const ScenePointer scene = sceneOf({starMesh(3, 3'000), torusMesh(2'000), sphereMesh(500)},
+                                       {Mat4(1.0), scaling({-1.2, 1.2, 0.1}), translation({1e-3, 0.7, 1})});
+    const Camera camera = inParallel({{0.5, 1, 3}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(50), 0.1, 100});
+    const View view(camera, {203, 151});
     expectAsPlainly(*scene, view, {0, 0, view.viewport()});
     expectAsPlainly(*scene, view, {37, 11, {101, 97}});
 }

@@ -1,5 +1,7 @@
 #include "core/scene/camera_path.h"
 
+#include <gmock/gmock.h>
+
 #include <cmath>
 #include <fstream>
 #include <numeric>
@@ -59,6 +61,28 @@ TEST(CameraPathFile, roundTripLosesNothing) {
         EXPECT_EQ(back.poses[i].target, path.poses[i].target);
         EXPECT_EQ(back.poses[i].up, path.poses[i].up);
     }
+}
+
+TEST(CameraPathFile, parallelViewsKeepTheirHeight) {
+    CameraPath path;
+    path.projection = ProjectionKind::Parallel;
+    path.height = 1.0 / 3;
+    path.poses = {{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}}};
+    const TemporaryFile file;
+    writeCameraPath(file.path(), path);
+    const CameraPath back = readCameraPath(file.path());
+    EXPECT_EQ(back.projection, ProjectionKind::Parallel);
+    EXPECT_EQ(back.height, path.height);
+    EXPECT_EQ(back.camera(0).projection, ProjectionKind::Parallel);
+    EXPECT_EQ(back.camera(0).height, path.height);
+    const std::string poses = R"("poses": [{"eye": [0,0,3], "target": [0,0,0], "up": [0,1,0]}]})";
+    using testing::HasSubstr;
+    EXPECT_THAT(refusal(R"({"projection": "parallel", )" + poses), HasSubstr("\"height\""));
+    EXPECT_THAT(refusal(R"({"projection": "parallel", "height": 0, )" + poses), HasSubstr("height"));
+    EXPECT_THAT(refusal(R"({"projection": "parallel", "height": "2", )" + poses), HasSubstr("\"height\" must be a number"));
+    EXPECT_THAT(refusal(R"({"projection": "fisheye", )" + poses), HasSubstr("\"projection\""));
+    EXPECT_THAT(refusal(R"({"projection": 3, )" + poses), HasSubstr("\"projection\""));
+    EXPECT_EQ(refusal(R"({"projection": "perspective", )" + poses), "");
 }
 
 TEST(CameraPathFile, refusalNamesTheField) {

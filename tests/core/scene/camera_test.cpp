@@ -97,6 +97,69 @@ TEST(View, frustumHasThePlanesOfTheProjection) {
     }
 }
 
+/// A parallel camera at the place of a perspective one, with a height and a depth of its own.
+Camera parallelCamera(Random& random) {
+    Camera camera = inParallel(someCamera(random));
+    camera.height *= random.between(0.2, 5.0);
+    camera.nearDistance = camera.height * std::pow(10.0, random.between(-2, 1));
+    camera.farDistance = camera.nearDistance + camera.height * std::pow(10.0, random.between(-1, 3));
+    return camera;
+}
+
+TEST(ParallelView, linesOfSightProjectToTheirPixelsAtEveryDistance) {
+    Random random(35);
+    for (int i = 0; i < 1000; ++i) {
+        const Camera camera = parallelCamera(random);
+        const View view(camera, kSize);
+        const double x = random.between(0, kSize.width), y = random.between(0, kSize.height);
+        const double distance = random.between(camera.nearDistance, camera.farDistance);
+        const Vec3 point = view.sightOrigin(x, y) + distance * view.direction(x, y);
+        EXPECT_NEAR(glm::dot(point, view.frustum().forward), distance, 1e-11 * camera.farDistance);
+        const Vec4 clip = view.clipFromEyeRelative() * Vec4(point, 1.0);
+        EXPECT_EQ(clip.w, 1.0);
+        const double tolerance = 1e-9 * std::max(1.0, camera.farDistance / camera.height) * kSize.width;
+        EXPECT_NEAR((clip.x + 1) / 2 * kSize.width, x, tolerance);
+        EXPECT_NEAR((clip.y + 1) / 2 * kSize.height, y, tolerance);
+        EXPECT_NEAR(clip.z, view.depthFromDistance(distance), 1e-9);
+        EXPECT_NEAR(view.distanceFromDepth(clip.z), distance, 1e-9 * camera.farDistance);
+        // A plane through the point has its depth there.
+        const Vec3 normal = random.direction();
+        EXPECT_NEAR(view.depthOfPlane(normal, glm::dot(normal, point), x, y), clip.z, 1e-6);
+    }
+}
+
+TEST(ParallelView, frustumHasThePlanesOfTheProjection) {
+    Random random(36);
+    for (int i = 0; i < 2000; ++i) {
+        const View view(parallelCamera(random), kSize);
+        const Frustum& f = view.frustum();
+        const double distance = f.nearDistance + (f.farDistance - f.nearDistance) * random.between(-0.2, 1.2);
+        const double x = random.between(-200, 840), y = random.between(-200, 680);
+        const Vec3 point = view.sightOrigin(x, y) + distance * f.forward;
+        const Vec4 clip = view.clipFromEyeRelative() * Vec4(point, 1.0);
+        const std::array<double, 6> inside{1 + clip.x, 1 - clip.x, 1 + clip.y, 1 - clip.y, 1 - clip.z, clip.z};
+        for (size_t plane = 0; plane < 6; ++plane) {
+            // Near and far lie farther out by their room.
+            if (std::abs(inside[plane]) < 1e-5) continue;
+            EXPECT_EQ(inside[plane] > 0, f.planes[plane].distance(point) > 0) << "plane " << plane;
+        }
+        for (const Vec3& corner : f.corners())
+            for (const Plane& plane : f.planes) EXPECT_GT(plane.distance(corner), -1e-9 * f.farDistance);
+    }
+}
+
+TEST(ParallelView, showsTheTargetAsLargeAsThePerspectiveViewThatItComesFrom) {
+    Random random(37);
+    for (int i = 0; i < 200; ++i) {
+        const Camera camera = someCamera(random), parallel = inParallel(camera), back = inPerspective(parallel);
+        const double size = heightAtTarget(camera);
+        EXPECT_NEAR(heightAtTarget(parallel), size, 1e-12 * size);
+        EXPECT_NEAR(heightAtTarget(back), size, 1e-9 * size);
+        EXPECT_NEAR(glm::length(back.eye - camera.eye), 0.0, 1e-9 * glm::length(camera.eye - camera.target));
+        EXPECT_EQ(inPerspective(camera), camera);
+    }
+}
+
 TEST(View, gpuMatrixLosesNoDigitsFarFromTheOrigin) {
     // A point of a mesh whose coordinates are about 1e7: the float matrix must place it as if it were at the origin.
     const Vec3 far(1e7, -1e7, 1e7);
@@ -110,7 +173,7 @@ TEST(View, gpuMatrixLosesNoDigitsFarFromTheOrigin) {
     const Mat4f wanted = atOrigin.clipFromPositions(Mat4(1.0), Vec3(0.0));
     EXPECT_EQ(view.clipFromPositions(there, Vec3(0.0)), wanted) << "moved by the transform";
     EXPECT_EQ(view.clipFromPositions(Mat4(1.0), far), wanted) << "moved by the mesh's origin";
-    EXPECT_EQ(view.eyeRelativeFromPositions(there, Vec3(0.0)), atOrigin.eyeRelativeFromPositions(Mat4(1.0), Vec3(0.0)));
+    EXPECT_EQ(view.sightFromPositions(there, Vec3(0.0)), atOrigin.sightFromPositions(Mat4(1.0), Vec3(0.0)));
 }
 
 TEST(View, upAlongTheViewGivesABasisAllTheSame) {
@@ -145,6 +208,10 @@ TEST(Validate, cameraThatMakesNoPictureIsRefused) {
     for (const double distance : {0.0, -1.0, 1000.0, 1001.0, nan})
         EXPECT_THAT(changed([&](Camera& c) { c.nearDistance = distance; }), HasSubstr("near distance")) << distance;
     EXPECT_THAT(changed([&](Camera& c) { c.farDistance = infinite; }), HasSubstr("near distance"));
+    for (const double height : {0.0, -1.0, nan, infinite}) {
+        EXPECT_THAT(changed([&](Camera& c) { c.projection = ProjectionKind::Parallel, c.height = height; }), HasSubstr("height"));
+        EXPECT_EQ(changed([&](Camera& c) { c.height = height; }), "") << "in perspective it has no effect";
+    }
     for (const Viewport& size : {Viewport{0, 1}, Viewport{1, 0}, Viewport{-1, 1}, Viewport{16385, 1}, Viewport{1, 16385}})
         EXPECT_THAT(complaint({}, size), HasSubstr("16384")) << size.width << "x" << size.height;
 }
