@@ -17,14 +17,15 @@ namespace cullscope {
 /// Uniform locations that the shaders of scene triangles declare.
 enum Uniform : GLint {
     kClipFromPositions = 0,
-    kEyeRelativeFromPositions = 1,
+    kSightFromPositions = 1,
     kNormalMatrix = 2,
     kSurfaceColour = 3,
     kFirstTriangle = 4,
     kWantedLook = 5,
     kHatch = 6,
     kHatchPlace = 7,
-    kFirstPlace = 8
+    kFirstPlace = 8,
+    kSection = 9  ///< of scene_cut.vert
 };
 
 inline constexpr GLuint kPosition = 0;
@@ -32,20 +33,33 @@ inline constexpr GLuint kNormal = 1;
 
 class BoxQueries;
 
+/// The programs of scene triangles, with one vertex shader.
+struct ScenePrograms {
+    explicit ScenePrograms(std::string_view vertexShader);
+
+    Program lambert, depth, item, itemOrdered, state;
+};
+
 struct Renderer::Programs {
     Programs();
     ~Programs();
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    Program lambert, depth, item, itemOrdered, state, line, sphericalModel;
+    /// Those for the pictures of a view: they cut where it is a section. Compiled when the first one is drawn.
+    [[nodiscard]] ScenePrograms& of(const View& view);
+
+    ScenePrograms scene;
+    std::unique_ptr<ScenePrograms> sectionScene;
+    Program line, sphericalModel;
     std::map<std::string, Program> choices;  ///< by the body of `chosen`
     unsigned vertexArray = 0;                ///< of scene triangles
     unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
     std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
 };
 
-/// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. The destructor restores the defaults that Qt expects.
+/// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. Of a section both sides of triangles are drawn, for it
+/// shows what is inside of objects. The destructor restores the defaults that Qt expects.
 class DrawingState {
 public:
     /// For the picture of `view`, or for the part of it that `target` holds.
