@@ -128,6 +128,9 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
         ->check(positiveNumber());
     command.add_option("--culling-size", options.cullingSize,
                        "WIDTHxHEIGHT of the culling camera's picture, where an observer's is another (default: --size)");
+    command.add_option("--section", options.section,
+                       "cut the picture by a plane: x:0.5, y:0.5, z:0.5 or view:0.5, the share of the scene's extent where it "
+                       "lies; with :flip the other side is kept");
     command.add_flag("--drawn-only", options.drawnOnly, "with --overlay verdicts: leave out what was culled");
 }
 
@@ -208,6 +211,13 @@ Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const
     if (options.nearDistance > 0.0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0.0) camera.farDistance = options.farDistance;
     return camera;
+}
+
+std::optional<Section> sectionOf(const OverlayOptions& options) {
+    if (options.section.empty()) return std::nullopt;
+    if (std::optional<Section> section = sectionFromText(options.section)) return section;
+    throwUsage(CULLSCOPE_TR("--section %1 is no plane: write x, y, z or view, a share from 0 to 1, and flip, as in x:0.5:flip."),
+               {options.section});
 }
 
 Viewport cullingSize(const OverlayOptions& options, const Viewport& size) {

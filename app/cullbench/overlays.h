@@ -16,7 +16,8 @@ struct OverlayOptions {
     std::string boxColouring;  ///< empty: by verdict
     std::string eye, target, up;
     std::string cullingSize;
-    double fovy = 0.0;  ///< degrees; 0: the culling camera's
+    std::string section;  ///< empty: nothing is cut away
+    double fovy = 0.0;    ///< degrees; 0: the culling camera's
     ProjectionOptions projection;
     double nearDistance = 0.0, farDistance = 0.0;  ///< 0: around the scene
     bool drawnOnly = false;
@@ -60,6 +61,9 @@ void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy,
 
 /// The viewing camera: the culling camera with the values given on the command line, its depth range fitted to the scene.
 [[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);
+
+/// The plane that cuts the pictures; none where none is given. Throws Error(Usage) for a text that names none.
+[[nodiscard]] std::optional<Section> sectionOf(const OverlayOptions& options);
 
 /// The size of the culling camera's picture, which determines its frustum: the one given, else `size`.
 [[nodiscard]] Viewport cullingSize(const OverlayOptions& options, const Viewport& size);

@@ -180,7 +180,12 @@ void run(const RenderOptions& options, const Context& context) {
     const Camera camera = cameraOf(options, *opened.scene, size);
     const Camera viewing = viewingCamera(options.overlays, camera, *opened.scene);
     const View view(camera, cullingSize(options.overlays, size));
-    const View viewingView(viewing, size);
+    View viewingView(viewing, size);
+    const std::optional<Section> section = sectionOf(options.overlays);
+    const auto cut = [&](View& shown) {
+        if (section) shown.cutBy(sectionPlane(*section, opened.scene->bounds(), camera));
+    };
+    cut(viewingView);
     const HeadlessContext gl;
     requireAvailable(request, gl.info());
     StructureStore structures;
@@ -196,7 +201,8 @@ void run(const RenderOptions& options, const Context& context) {
         upToStep(options, frameOf(renderer, buffers, *strategy, view, recording, terminalProgress(context).stop));
     Drawn drawn = drawPicture(renderer, buffers, *strategy, log, viewingView, choice, style);
     if (below) {
-        const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
+        View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
+        cut(side);
         // Rows count from the bottom, so the second picture's rows come first.
         Drawn second = drawPicture(renderer, buffers, *strategy, log, side, below->overlays, style);
         drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
@@ -205,7 +211,9 @@ void run(const RenderOptions& options, const Context& context) {
     const auto& [states, rgba, line] = drawn;
     const Viewport whole{size.width, below ? 2 * size.height : size.height};
     const Submitted submitted = submittedBy(*opened.scene, log);
-    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, viewingView, style, log, submitted));
+    PictureSubject subject = subjectOf(options, request, choice, viewingView, style, log, submitted);
+    subject.section = section;
+    PictureMetadata metadata = subjectMetadata(subject);
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
     Picture picture{whole, rgba, std::move(metadata)};
     if (keepsDepth(options.output) && !choice.replacesScene() && !below) addDepth(renderer, picture, buffers, viewingView, log);

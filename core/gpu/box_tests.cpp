@@ -182,7 +182,7 @@ BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> bo
     const EmptyFramebuffer target(view.viewport());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_CLAMP);
-    glUseProgram(m_programs->depth.id());
+    glUseProgram(m_programs->scene.depth.id());
     drawQueries(boxes, ticket->queries(), view);
     glDisable(GL_DEPTH_CLAMP);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
@@ -197,7 +197,7 @@ BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> bo
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glUseProgram(m_programs->depth.id());
+    glUseProgram(m_programs->scene.depth.id());
     drawQueries(boxes, ticket->queries(), view);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     return ticket;

@@ -34,7 +34,8 @@ DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing f
     glDepthFunc(depth == DepthRule::Nearest ? GL_GREATER : GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glClearDepth(0.0);
-    setCulling(facing == Facing::Front);
+    setCulling(facing == Facing::Front && !view.section());
+    if (view.section()) glEnable(GL_CLIP_DISTANCE0);
     glCullFace(GL_BACK);
 }
 
@@ -46,6 +47,7 @@ DrawingState::~DrawingState() {
     glDisable(GL_SCISSOR_TEST);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_CLIP_DISTANCE0);
     glFrontFace(GL_CCW);
     glDisable(GL_CULL_FACE);
     glClearColor(0, 0, 0, 0);
@@ -117,7 +119,7 @@ namespace {
 
 void setInstanceUniforms(const View& view, const Instance& instance, const TriangleMesh& mesh) {
     const Mat4f clip = view.clipFromPositions(instance.worldFromMesh, mesh.origin());
-    const Mat4f eyeRelative = view.sightFromPositions(instance.worldFromMesh, mesh.origin());
+    const Mat4f sight = view.sightFromPositions(instance.worldFromMesh, mesh.origin());
     // Scaled by its largest entry, so that normals of tiny and huge instances stay within the range of float.
     glm::dmat3 normals = glm::transpose(glm::inverse(Mat3(instance.worldFromMesh)));
     double largest = 0.0;
@@ -126,8 +128,15 @@ void setInstanceUniforms(const View& view, const Instance& instance, const Trian
     if (largest > 0.0 && std::isfinite(largest)) normals /= largest;
     const glm::mat3 normalMatrix(normals);
     glUniformMatrix4fv(kClipFromPositions, 1, GL_FALSE, glm::value_ptr(clip));
-    glUniformMatrix4fv(kEyeRelativeFromPositions, 1, GL_FALSE, glm::value_ptr(eyeRelative));
+    glUniformMatrix4fv(kSightFromPositions, 1, GL_FALSE, glm::value_ptr(sight));
     glUniformMatrix3fv(kNormalMatrix, 1, GL_FALSE, glm::value_ptr(normalMatrix));
+    if (view.section()) {
+        // n·(L p + t) + d = (Lᵀ n)·p + (n·t + d), with the translation summed in double.
+        const Mat3 linear(instance.worldFromMesh);
+        const Vec3 normal = glm::transpose(linear) * view.section()->normal;
+        const double offset = view.section()->distance(Vec3(instance.worldFromMesh[3]) + linear * mesh.origin());
+        glUniform4f(kSection, float(normal.x), float(normal.y), float(normal.z), float(offset));
+    }
     // A mirroring transform reverses the winding of its triangles.
     glFrontFace(glm::determinant(Mat3(instance.worldFromMesh)) < 0.0 ? GL_CW : GL_CCW);
 }
@@ -137,7 +146,7 @@ void setInstanceUniforms(const View& view, const Instance& instance, const Trian
 void VertexInput::bind(const View& view, uint32_t number, Indices indices) {
     const Instance& instance = m_buffers.scene().instances()[number];
     bindMesh(instance.mesh, indices);
-    m_facing.setFor(m_buffers.scene(), number);
+    if (!view.section()) m_facing.setFor(m_buffers.scene(), number);
     setInstanceUniforms(view, instance, *m_buffers.scene().meshes()[instance.mesh]);
 }
 
@@ -164,7 +173,7 @@ OwnInput::~OwnInput() {
 void OwnInput::draw(const Scene& scene, const View& view, const std::function<void(const OwnTriangles::Run&)>& perRun) const {
     FacingState facing(m_triangles.facing);
     for (const OwnTriangles::Run& run : m_triangles.runs) {
-        facing.setFor(scene, run.instance);
+        if (!view.section()) facing.setFor(scene, run.instance);
         const Instance& instance = scene.instances()[run.instance];
         setInstanceUniforms(view, instance, *scene.meshes()[instance.mesh]);
         perRun(run);

@@ -17,14 +17,15 @@ namespace cullscope {
 /// Uniform locations that the shaders of scene triangles declare.
 enum Uniform : GLint {
     kClipFromPositions = 0,
-    kEyeRelativeFromPositions = 1,
+    kSightFromPositions = 1,
     kNormalMatrix = 2,
     kSurfaceColour = 3,
     kFirstTriangle = 4,
     kWantedLook = 5,
     kHatch = 6,
     kHatchPlace = 7,
-    kFirstPlace = 8
+    kFirstPlace = 8,
+    kSection = 9  ///< of scene_cut.vert
 };
 
 inline constexpr GLuint kPosition = 0;
@@ -38,6 +39,13 @@ struct TriangleInput {
     bool gathers = false;  ///< many small ranges are drawn as one: on a software OpenGL
 };
 
+/// The programs of scene triangles, with one vertex shader.
+struct ScenePrograms {
+    explicit ScenePrograms(std::string_view vertexShader);
+
+    Program lambert, depth, item, itemOrdered, state;
+};
+
 struct Renderer::Programs {
     Programs();
     ~Programs();
@@ -45,8 +53,12 @@ struct Renderer::Programs {
     Programs& operator=(const Programs&) = delete;
 
     [[nodiscard]] TriangleInput input() const { return {vertexArray, software}; }
+    /// Those for the pictures of a view: they cut where it is a section. Compiled when the first one is drawn.
+    [[nodiscard]] ScenePrograms& of(const View& view);
 
-    Program lambert, depth, item, itemOrdered, state, line, sphericalModel;
+    ScenePrograms scene;
+    std::unique_ptr<ScenePrograms> sectionScene;
+    Program line, sphericalModel;
     std::map<std::string, Program> choices;  ///< by the body of `chosen`
     unsigned vertexArray = 0;                ///< of scene triangles
     bool software = false;                   ///< the context's OpenGL is one (GlInfo::software)
@@ -54,7 +66,8 @@ struct Renderer::Programs {
     std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
 };
 
-/// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. The destructor restores the defaults that Qt expects.
+/// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. Of a section both sides of triangles are drawn, for it
+/// shows what is inside of objects. The destructor restores the defaults that Qt expects.
 class DrawingState {
 public:
     /// For the picture of `view`, or for the part of it that `target` holds.

@@ -91,7 +91,7 @@ void Renderer::execute(const View& view, const Choice& choice, Framebuffer& targ
     const DrawList& list = choice.m_candidates;
     const DrawingState state(view, target, list.facing, list.depth);
     if (cleared) clearTo(style);
-    glUseProgram(m_programs->lambert.id());
+    glUseProgram(m_programs->of(view).lambert.id());
     glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
     VertexInput input(*choice.m_buffers, m_programs->vertexArray, list.order, list.facing);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, choice.m_commands);

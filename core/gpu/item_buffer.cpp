@@ -155,7 +155,8 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
     const ItemTarget target(tile);
     {
         const DrawingState state(view, target.depth(), list.facing);
-        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->input(), buffers, view, list, target);
+        drawItems(m_programs->of(view).depth.id(), m_programs->of(view).item.id(), m_programs->input(), buffers, view, list,
+                  target);
     }
     return read(target);
 }
@@ -166,7 +167,7 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
         return drawItemBuffer(buffers, view, drawnTriangles(buffers.scene(), log), tile);
     requireNumbers(buffers.scene());
     const ItemTarget target(tile);
-    replayItems(m_programs->itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target, std::nullopt);
+    replayItems(m_programs->of(view).itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target, std::nullopt);
     return read(target);
 }
 
@@ -179,7 +180,8 @@ std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const 
         const DrawingState state(view, target.depth(), list.facing);
         glScissor(x, y, 1, 1);
         glEnable(GL_SCISSOR_TEST);
-        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->input(), buffers, view, list, target);
+        drawItems(m_programs->of(view).depth.id(), m_programs->of(view).item.id(), m_programs->input(), buffers, view, list,
+                  target);
     }
     return readPixel(target, x, y);
 }
@@ -190,7 +192,8 @@ std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const 
     if (x < 0 || y < 0 || x >= size.width || y >= size.height) return std::nullopt;
     requireNumbers(buffers.scene());
     const ItemTarget target({0, 0, size});
-    replayItems(m_programs->itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target, PictureTile{x, y, {1, 1}});
+    replayItems(m_programs->of(view).itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target,
+                PictureTile{x, y, {1, 1}});
     return readPixel(target, x, y);
 }
 

@@ -32,12 +32,21 @@ bool replaysInStyle(const View& view, const FrameLog& log, const DrawStyle& styl
 
 }  // namespace
 
+ScenePrograms::ScenePrograms(std::string_view vertexShader)
+    : lambert(vertexShader, embedded::lambert_frag),
+      depth(vertexShader, embedded::depth_frag),
+      item(vertexShader, embedded::item_frag),
+      itemOrdered(vertexShader, embedded::item_ordered_frag),
+      state(vertexShader, embedded::state_frag) {}
+
+ScenePrograms& Renderer::Programs::of(const View& view) {
+    if (!view.section()) return scene;
+    if (!sectionScene) sectionScene = std::make_unique<ScenePrograms>(embedded::scene_cut_vert);
+    return *sectionScene;
+}
+
 Renderer::Programs::Programs()
-    : lambert(embedded::scene_vert, embedded::lambert_frag),
-      depth(embedded::scene_vert, embedded::depth_frag),
-      item(embedded::scene_vert, embedded::item_frag),
-      itemOrdered(embedded::scene_vert, embedded::item_ordered_frag),
-      state(embedded::scene_vert, embedded::state_frag),
+    : scene(embedded::scene_vert),
       line(embedded::line_vert, embedded::line_frag),
       sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag),
       software(requireOpenGl45().software),
@@ -64,7 +73,7 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawLis
                     const DrawStyle& style) {
     const DrawingState state(view, target, list.facing, list.depth);
     clearTo(style);
-    beginShaded(m_programs->lambert, style);
+    beginShaded(m_programs->of(view).lambert, style);
     submitAll(buffers, view, list, m_programs->input());
 }
 
@@ -77,7 +86,7 @@ void Renderer::execute(const SceneBuffers& buffers, const View& view, const Comm
                        const DrawStyle& style, bool cleared) {
     if (const auto* picture = std::get_if<FinishedPicturePointer>(&command))
         return writePicture(buffers.scene(), view, **picture, style, target);
-    const auto begin = [&] { beginShaded(m_programs->lambert, style); };
+    const auto begin = [&] { beginShaded(m_programs->of(view).lambert, style); };
     if (const auto* list = std::get_if<DrawList>(&command)) {
         const DrawingState state(view, target, list->facing, list->depth);
         if (cleared) clearTo(style);
@@ -105,7 +114,7 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const FrameLo
 }
 
 bool replaysFrom(const View& view, const FrameLog& log) {
-    if (view.camera() == log.camera && view.viewport() == log.size) return true;
+    if (view.camera() == log.camera && view.viewport() == log.size && !view.section()) return true;
     return std::ranges::none_of(log.commands,
                                 [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });
 }

@@ -110,7 +110,7 @@ void Renderer::drawByState(const SceneBuffers& buffers, const View& view, Facing
     const DrawingState state(view, target, facing);
     const StateBuffers onGpu(stateOfTriangle, palette);
     const auto drawLook = [&](Look look) {
-        glUseProgram(m_programs->state.id());
+        glUseProgram(m_programs->of(view).state.id());
         glUniform1ui(kWantedLook, static_cast<GLuint>(look));
         glUniform2fv(kHatch, 1, glm::value_ptr(hatch));
         glUniform3f(kHatchPlace, float(target.tile().x), float(target.tile().y), style.unit);

@@ -44,6 +44,7 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (!(subject.viewing == subject.culling)) addCamera("view_", subject.viewing);
     add("size", sizeText(subject.size));
     if (!(subject.cullingSize == subject.size)) add("culling_size", sizeText(subject.cullingSize));
+    if (subject.section) add("section", sectionText(*subject.section));
     add("overlay", subject.picture.empty() ? overlays(subject.look) : subject.picture);
     add("map_colouring", subject.pictureColouring);
     for (const auto& [name, value] : unusualOf(subject.look))

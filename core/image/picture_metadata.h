@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/image/view_picture.h"
+#include "core/scene/section.h"
 #include "core/visibility/parameters.h"
 
 namespace cullscope {
@@ -27,6 +28,7 @@ struct PictureSubject {
     Camera viewing;  ///< the culling camera, or an observer's
     Viewport cullingSize, size;
     ViewLook look;
+    std::optional<Section> section;  ///< that the picture is cut by
     DrawStyle style;
     std::string picture;           ///< id of the strategy's picture in place of the scene; empty: the scene
     std::string pictureColouring;  ///< with `picture`

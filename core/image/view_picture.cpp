@@ -5,6 +5,7 @@
 #include "core/gpu/colour.h"
 #include "core/image/overlays.h"
 #include "core/image/spherical_model.h"
+#include "core/scene/section.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope {
@@ -15,6 +16,7 @@ using VerdictPalette = std::array<PaletteEntry, kTriangleStateCount>;
 
 /// Width of the background-coloured border on both sides of a cased line, in units.
 constexpr float kCasing = 1.0f;
+constexpr float kSectionWidth = 1.5f;  // in units
 
 /// A palette in which only drawn triangles keep their look.
 VerdictPalette drawnOnly(VerdictPalette palette) {
@@ -23,7 +25,7 @@ VerdictPalette drawnOnly(VerdictPalette palette) {
     return palette;
 }
 
-std::span<const uint8_t> bytes(const std::vector<TriangleState>& states) {
+std::span<const uint8_t> bytes(std::span<const TriangleState> states) {
     return {reinterpret_cast<const uint8_t*>(states.data()), states.size()};
 }
 
@@ -36,6 +38,14 @@ void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& ov
         renderer.drawLines(viewing, casing, {line.width + 2.0f * kCasing * style.unit, line.depthTest}, target);
     }
     renderer.drawLines(viewing, overlay.lines, line, target);
+}
+
+/// The outline of the plane that cuts a picture, in the scene's box.
+OverlayLines sectionOutline(const Scene& scene, const Plane& section, const Vec3f& colour) {
+    OverlayLines outline{{}, {kSectionWidth, false}, true};
+    const std::vector<Vec3> polygon = planeInBox(section, scene.bounds());
+    for (size_t i = 0; i < polygon.size(); ++i) outline.lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], colour});
+    return outline;
 }
 
 /// The bounds that the strategy tests, in its own form where it has one.
@@ -163,26 +173,31 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
     drawViewOverlays(renderer, buffers.scene(), strategy, log, viewing, look, style, target);
 }
 
-void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
-                       const FrameLog& log, const View& viewing, const ViewLook& look, const DrawStyle& style,
-                       Framebuffer& target) {
-    const Scene &scene = buffers.scene(), &few = coarse.scene();
+std::vector<TriangleState> coarseStates(const Scene& scene, const Scene& coarse, const FrameLog& log) {
+    const TriangleStates states = triangleStates(scene, log, std::nullopt);
     std::vector<bool> drawn(scene.instances().size(), false);
     for (const DrawRange& range : drawnTriangles(scene, log).ranges) drawn[range.instance] = true;
+    std::vector<TriangleState> byObject(coarse.triangleCount());
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        if (coarse.firstTriangle(i) == coarse.firstTriangle(i + 1)) continue;
+        const TriangleState state = drawn[i] ? TriangleState::Visible : states.states[scene.firstTriangle(i)];
+        std::fill(byObject.begin() + std::ptrdiff_t(coarse.firstTriangle(i)),
+                  byObject.begin() + std::ptrdiff_t(coarse.firstTriangle(i + 1)), state);
+    }
+    return byObject;
+}
+
+void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
+                       const FrameLog& log, std::span<const TriangleState> states, const View& viewing, const ViewLook& look,
+                       const DrawStyle& style, Framebuffer& target) {
+    const Scene &scene = buffers.scene(), &few = coarse.scene();
     if (look.has(Show::Kind::Verdicts)) {
-        // An object of which anything is drawn is drawn; any other one has the state of its first triangle.
-        const TriangleStates states = triangleStates(scene, log, std::nullopt);
-        std::vector<TriangleState> byObject(few.triangleCount());
-        for (size_t i = 0; i < drawn.size(); ++i) {
-            if (few.firstTriangle(i) == few.firstTriangle(i + 1)) continue;
-            const TriangleState state = drawn[i] ? TriangleState::Visible : states.states[scene.firstTriangle(i)];
-            std::fill(byObject.begin() + std::ptrdiff_t(few.firstTriangle(i)),
-                      byObject.begin() + std::ptrdiff_t(few.firstTriangle(i + 1)), state);
-        }
         const VerdictPalette palette = verdictPalette(style.background);
-        renderer.drawByState(coarse, viewing, Facing::TwoSided, bytes(byObject),
+        renderer.drawByState(coarse, viewing, Facing::TwoSided, bytes(states),
                              look.has(Show::Kind::Left) ? palette : drawnOnly(palette), target, style);
     } else {
+        std::vector<bool> drawn(scene.instances().size(), false);
+        for (const DrawRange& range : drawnTriangles(scene, log).ranges) drawn[range.instance] = true;
         DrawList list = everything(few, Facing::TwoSided);
         std::erase_if(list.ranges, [&](const DrawRange& range) { return !drawn[range.instance]; });
         renderer.draw(coarse, viewing, list, target, style);
@@ -206,6 +221,9 @@ void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrateg
     }
     for (const Show& show : strategy.info().shows)
         if (show.kind == Show::Kind::Overlay && look.shows(show.id)) drawAll(strategy.overlay(show.id, context, log));
+    // For a view that looks at the plane from elsewhere.
+    if (viewing.section() && !(log.camera == viewing.camera()))
+        drawAll({sectionOutline(scene, *viewing.section(), context.contrast)});
     // Seen from its own eye, a frustum coincides with the picture's border.
     if (!look.has(Show::Kind::Frustum) || log.camera == viewing.camera()) return;
     const View culling(log.camera, log.size);

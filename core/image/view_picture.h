@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -73,10 +74,14 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
 void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrategy& strategy, const FrameLog& log,
                       const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target);
 
-/// A picture of a frame by a coarse scene (scene/coarse_scene.h) of the same objects: those of which the frame draws anything, in
-/// whole, and with the same overlays. Colours by verdict are by object and without the truth.
+/// The states of a coarse scene's triangles (scene/coarse_scene.h) in a frame of the scene whose objects it has: by object, and
+/// without the truth. An object of which anything is drawn is drawn; any other one has the state of its first triangle.
+[[nodiscard]] std::vector<TriangleState> coarseStates(const Scene& scene, const Scene& coarse, const FrameLog& log);
+
+/// A picture of a frame by a coarse scene of the same objects: those of which the frame draws anything, in whole, and with the
+/// same overlays. `states`: coarseStates of that frame.
 void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
-                       const FrameLog& log, const View& viewing, const ViewLook& look, const DrawStyle& style,
-                       Framebuffer& target);
+                       const FrameLog& log, std::span<const TriangleState> states, const View& viewing, const ViewLook& look,
+                       const DrawStyle& style, Framebuffer& target);
 
 }  // namespace cullscope

@@ -66,6 +66,9 @@ public:
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
     [[nodiscard]] const Vec3& eye() const { return m_camera.eye; }
+    /// A plane in world coordinates whose other side pictures of the view do not show (scene/section.h). Culling knows of none.
+    [[nodiscard]] const std::optional<Plane>& section() const { return m_section; }
+    void cutBy(const std::optional<Plane>& section) { m_section = section; }
     /// Relative to the eye; see Frustum.
     [[nodiscard]] const Frustum& frustum() const { return m_frustum; }
 
@@ -96,6 +99,7 @@ private:
     Camera m_camera;
     Viewport m_viewport;
     Frustum m_frustum;
+    std::optional<Plane> m_section;
     Mat4 m_clipFromEyeRelative{1.0};
 };
 

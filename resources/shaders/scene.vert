@@ -5,15 +5,15 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
 layout(location = 0) uniform mat4 clipFromPositions;
-layout(location = 1) uniform mat4 eyeRelativeFromPositions;
+layout(location = 1) uniform mat4 sightFromPositions;
 layout(location = 2) uniform mat3 normalMatrix;
 
 invariant gl_Position;
-layout(location = 0) out vec3 toSurface;  // relative to the eye, world axes
+layout(location = 0) out vec3 toSurface;  // along the line of sight, world axes
 layout(location = 1) out vec3 surfaceNormal;
 
 void main() {
     gl_Position = clipFromPositions * vec4(position, 1.0);
-    toSurface = (eyeRelativeFromPositions * vec4(position, 1.0)).xyz;
+    toSurface = (sightFromPositions * vec4(position, 1.0)).xyz;
     surfaceNormal = normalMatrix * normal;
 }

@@ -98,6 +98,27 @@ TEST_F(CopiedCommand, repeatsFrozenCullingWithOnlyWhatWasDrawn) {
     expectSame(first);
 }
 
+TEST_F(CopiedCommand, repeatsAParallelViewAndItsObserver) {
+    session.setCamera(inParallel(session.camera()));
+    session.observe(1, 0);
+    change(1, [](ViewSetup& setup) { setup.look = {"verdicts", "frustum", "boxes"}; });
+    expectSame(first);
+    expectSame(second);
+}
+
+TEST_F(CopiedCommand, repeatsASectionAndItsObserver) {
+    session.observe(1, 0);
+    change(1, [](ViewSetup& setup) { setup.look = {"verdicts", "frustum"}; });
+    for (const Section& section : {Section{Section::Axis::X, 0.4, false}, Section{Section::Axis::View, 0.5, true}}) {
+        const QImage before = first.picture();
+        session.setSection(section);
+        settle();
+        EXPECT_NE(first.picture(), before);
+        expectSame(first);
+        expectSame(second);
+    }
+}
+
 TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     session.observe(1, 0);
     session.slot(0).choose("spherical");

@@ -39,6 +39,10 @@ Camera anyCamera(Random& random) {
     camera.fovy = Angle::fromRadians(random.between(0.001, 3.1));
     camera.nearDistance = std::pow(10.0, random.between(-9.0, 3.0));
     camera.farDistance = camera.nearDistance * (1.0 + random.between(0.001, 1e7));
+    if (random.unit() < 0.3) {
+        camera.projection = ProjectionKind::Parallel;
+        camera.height = std::pow(10.0, random.between(-9.0, 9.0));
+    }
     return camera;
 }
 
@@ -81,6 +85,7 @@ SessionState anyState(Random& random) {
     state.scene = oneOf<const char*>(random, {"bunny", "/a/b/castle 성.obj", "field:mesh=/x/y,z.ply,n=3", "sphere:triangles=80"});
     for (size_t object = below(random, 30); object > 0; --object) state.hidden.push_back(random.unit() < 0.4);
     state.camera = anyCamera(random);
+    if (random.unit() < 0.5) state.section = Section{Section::Axis(random.bits() % 4), random.unit(), random.unit() < 0.5};
     state.up = oneOf(random, {UpAxis::Y, UpAxis::Z});
     if (random.unit() < 0.5) state.chosenNear = std::pow(10.0, random.between(-9.0, 9.0));
     state.viewCount = Session::kViewCounts[below(random, Session::kViewCounts.size())];

@@ -169,6 +169,14 @@ bool ViewFrames::overtaken(int view, const BuiltStrategyPointer& strategy) const
     return wanted != m_wanted.end() && wanted->second.lock() != strategy;
 }
 
+const std::vector<TriangleState>& ViewFrame::statesOf(const SceneBuffersPointer& asked) const {
+    if (coarse != asked) {
+        coarseOnes = coarseStates(request.buffers->scene(), asked->scene(), log);
+        coarse = asked;
+    }
+    return coarseOnes;
+}
+
 size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place) {
     return entriesAtShare(place.entries, place.whole, frame.log.entries());
 }

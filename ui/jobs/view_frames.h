@@ -43,6 +43,11 @@ struct ViewFrame {
     FrameRequest request;
     FrameLog log;
     bool unsteady = false;  ///< the view's next frame may be another one, although nothing changes (ViewState::unsteady)
+    /// The states of a coarse scene's triangles in this frame (coarseStates), of the last one that was asked for: a view that
+    /// looks at a frame from elsewhere moves while the frame stays. Used on the GPU thread.
+    [[nodiscard]] const std::vector<TriangleState>& statesOf(const SceneBuffersPointer& coarse) const;
+    mutable SceneBuffersPointer coarse{};
+    mutable std::vector<TriangleState> coarseOnes{};
 };
 using ViewFramePointer = std::shared_ptr<const ViewFrame>;
 

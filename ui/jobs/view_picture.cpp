@@ -75,6 +75,12 @@ double millisecondsOf(const Draw& draw) {
 
 }  // namespace
 
+View ViewRequest::shownView() const {
+    View view(viewing, size);
+    if (section) view.cutBy(sectionPlane(*section, buffers->scene().bounds(), culling));
+    return view;
+}
+
 QColor addedPixelColour() { return QColor::fromRgb(kAddedColour); }
 
 Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
@@ -88,7 +94,7 @@ void ViewPictureDrawer::letGo() {
 }
 
 PictureDrawing::PictureDrawing(const ViewRequest& request, const ViewFramePointer& frame, ViewFramePointer other)
-    : m_picture(std::make_shared<ViewPicture>()), m_viewing(request.viewing, request.size), m_states(request.states) {
+    : m_picture(std::make_shared<ViewPicture>()), m_viewing(request.shownView()), m_states(request.states) {
     m_picture->request = request;
     m_picture->frame = shownFrame(request, frame);
     if (request.upTo && !request.unanswered && !request.look.has(Show::Kind::Verdicts) && !request.look.inPlace())
@@ -183,7 +189,10 @@ std::shared_ptr<ViewPicture> ViewPictureDrawer::drawCoarse(const ViewRequest& re
     picture->frame = m_frames->of(request.frame(), renderer());
     Framebuffer& into = target(request.size);
     drawCoarsePicture(renderer(), *request.buffers, *request.coarse, *request.strategy, picture->frame->log,
-                      View(request.viewing, request.size), request.look, request.style, into);
+                      request.look.has(Show::Kind::Verdicts)
+                          ? std::span<const TriangleState>(picture->frame->statesOf(request.coarse))
+                          : std::span<const TriangleState>(),
+                      request.shownView(), request.look, request.style, into);
     picture->colour = newImage(request.size, QImage::Format_RGBA8888);
     copyTile(into.readColour(), into.tile(), picture->colour);
     picture->depth = into.readDepth();
@@ -208,7 +217,7 @@ std::optional<double> ViewPictureDrawer::drawingTime(const ViewRequest& request,
                                                      const PictureDrawing& drawing) {
     if (request.upTo || request.unanswered) return std::nullopt;
     // The frame's own picture and nothing else: not from another place, or in colours.
-    if (request.viewing == request.culling && request.look == ViewLook{}) return drawing.milliseconds();
+    if (request.viewing == request.culling && request.look == ViewLook{} && !request.section) return drawing.milliseconds();
     if (!frame.unsteady || !(request.size == request.cullingSize)) return std::nullopt;
     return millisecondsOf([&] {
         renderer().draw(*request.buffers, View(request.culling, request.cullingSize), frame.log, target(request.size),
@@ -224,7 +233,7 @@ std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewReque
             pickSphericalModel(scene, drawnTriangles(scene, frame->log), request.size, request.style, x, y);
         return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
     }
-    const View viewing(request.viewing, request.size);
+    const View viewing = request.shownView();
     const bool whole = !request.unanswered && !request.upTo;
     // Where something is compared, what this view lost of the truth comes before what it shows behind.
     const bool marked = request.wipe == Wipe::Mode::Loss || request.wipe == Wipe::Mode::Difference;
@@ -246,7 +255,7 @@ std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::missing(const ViewRe
                              std::max(0, y - reach),
                              {std::min(size.width - 1, x + reach) - std::max(0, x - reach) + 1,
                               std::min(size.height - 1, y + reach) - std::max(0, y - reach) + 1}};
-    const View viewing(request.viewing, size);
+    const View viewing = request.shownView();
     const Scene& scene = request.buffers->scene();
     const Renderer::ItemBuffer truth =
         renderer().drawItemBuffer(*request.buffers, viewing, everything(scene, request.strategy->referenceFacing()), around);
@@ -270,7 +279,7 @@ std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::missing(const ViewRe
 
 std::vector<uint64_t> ViewPictureDrawer::trianglesIn(const ViewRequest& request, const PictureTile& within) {
     const ViewFramePointer frame = shownFrame(request, m_frames->of(request.frame(), renderer()));
-    const View viewing(request.viewing, request.size);
+    const View viewing = request.shownView();
     std::set<uint64_t> shown;
     for (const uint32_t item : renderer().drawItemBuffer(*request.buffers, viewing, frame->log, within).triangle)
         if (item != 0) shown.insert(item - 1);

@@ -9,6 +9,7 @@
 #include "core/gpu/renderer.h"
 #include "core/image/plane_colours.h"
 #include "core/measure/accuracy.h"
+#include "core/scene/section.h"
 #include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/view_frames.h"
 #include "ui/jobs/view_setup.h"
@@ -29,7 +30,8 @@ struct ViewRequest {
     Viewport size;
     ViewLook look;
     DrawStyle style;
-    TriangleStatesPointer states;  ///< against the truth, if that is known already; else null
+    std::optional<Section> section;  ///< that cuts the picture, and never the frame
+    TriangleStatesPointer states;    ///< against the truth, if that is known already; else null
     Wipe::Mode wipe = Wipe::Mode::None;
     BuiltStrategyPointer other;      ///< the other strategy in Wipe::Mode::OtherView and Difference
     int otherView = 0;               ///< with `other`: the view that it is the strategy of
@@ -40,6 +42,8 @@ struct ViewRequest {
     bool unanswered = false;  ///< all triangles are shown in place of the frame: what a strategy decided is not told yet
 
     [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scenePointer() == buffers->scenePointer(); }
+    /// The view that the picture shows, cut where it is a section.
+    [[nodiscard]] View shownView() const;
     /// The frame that the picture replays, and the one beside which it is shown (with `other`).
     [[nodiscard]] FrameRequest frame() const { return {buffers, strategy, culling, cullingSize, culledBy, turn}; }
     [[nodiscard]] FrameRequest otherFrame() const { return {buffers, other, culling, cullingSize, otherView, otherTurn}; }

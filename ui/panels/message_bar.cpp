@@ -14,7 +14,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kInset = 8;
+constexpr int kSymbol = 16;  // pixels
 
 /// Whether an event shows that the user continues to work: a click or a key press.
 bool goesOn(QEvent::Type type) {
@@ -23,15 +23,16 @@ bool goesOn(QEvent::Type type) {
 
 }  // namespace
 
-MessageBar::MessageBar(QWidget& below)
-    : QFrame(below.parentWidget()),
-      m_below(below),
+MessageBar::MessageBar(QStatusBar& bar)
+    : QFrame(&bar),
+      m_bar(bar),
+      m_usualHeight(bar.minimumHeight()),
       m_icon(new QLabel(this)),
       m_text(new QLabel(this)),
       m_take(new QToolButton(this)),
       m_close(new QToolButton(this)) {
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(8, 4, 4, 4);
+    layout->setContentsMargins(8, 1, 4, 1);
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_take);
@@ -57,17 +58,16 @@ MessageBar::MessageBar(QWidget& below)
     m_end.setSingleShot(true);
     m_end.setInterval(6000);
     connect(&m_end, &QTimer::timeout, this, &QWidget::hide);
-    below.installEventFilter(this);
     hide();
+    bar.addWidget(this, 1);
 }
 
 void MessageBar::show(Severity severity, const Message& message) {
     m_severity = severity;
     m_message = message;
     m_take->hide();
-    refresh();
     setVisible(!message.empty());
-    raise();
+    refresh();
     m_end.stop();
     qApp->removeEventFilter(this);
     if (severity != Severity::Information || message.empty()) return;
@@ -93,23 +93,26 @@ void MessageBar::refresh() {
     const QStyle::StandardPixmap symbol = m_severity == Severity::Error     ? QStyle::SP_MessageBoxCritical
                                           : m_severity == Severity::Warning ? QStyle::SP_MessageBoxWarning
                                                                             : QStyle::SP_MessageBoxInformation;
-    m_icon->setPixmap(style()->standardIcon(symbol).pixmap(20, 20));
+    m_icon->setPixmap(style()->standardIcon(symbol).pixmap(kSymbol, kSymbol));
     m_text->setText(translated(m_message));
     m_text->setAccessibleName(m_text->text());
     m_take->setText(translated(m_action));
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(m_close->toolTip());
-    place();
+    makeRoom();
 }
 
-void MessageBar::place() {
-    const QRect room = m_below.geometry().adjusted(kInset, kInset, -kInset, -kInset);
-    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(room.width()) : sizeHint().height();
-    setGeometry(room.left(), room.bottom() + 1 - height, room.width(), height);
+void MessageBar::makeRoom() {
+    const int needed = isVisibleTo(&m_bar) && width() > 0 ? layout()->totalHeightForWidth(width()) : 0;
+    m_bar.setFixedHeight(std::max(m_usualHeight, needed));
+}
+
+void MessageBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    makeRoom();
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == &m_below && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) place();
     if (m_end.isActive() && goesOn(event->type())) {
         const auto* widget = qobject_cast<const QWidget*>(watched);
         // A click on the bar itself selects its text or closes it.
@@ -124,6 +127,7 @@ void MessageBar::hideEvent(QHideEvent* event) {
     if (!event->spontaneous()) {
         m_end.stop();
         qApp->removeEventFilter(this);
+        m_bar.setFixedHeight(m_usualHeight);
     }
     QFrame::hideEvent(event);
 }

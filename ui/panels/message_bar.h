@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QStatusBar>
 #include <QTimer>
 #include <QToolButton>
 #include <functional>
@@ -12,15 +13,15 @@
 
 namespace cullscope::ui {
 
-/// Shows one sentence over the lower edge of a widget until the user closes it or another sentence replaces it. Information also
-/// disappears after six seconds (setInformationTime), or at the next click or key press in the window. The bar never blocks the
-/// user and is in no layout: the widget below keeps its size.
+/// Shows one sentence in a status bar until the user closes it or another sentence replaces it. Information also disappears after
+/// six seconds (setInformationTime), or at the next click or key press in the window. The bar never blocks the user and covers
+/// nothing: a sentence of one line takes no room from the views, and for a longer one the status bar grows meanwhile.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
-    /// Lies over `below`, as its sibling widget.
-    explicit MessageBar(QWidget& below);
+    /// Joins the status bar, whose height is fixed before.
+    explicit MessageBar(QStatusBar& bar);
 
     /// How long information stays; 6000 unless it is set.
     void setInformationTime(int milliseconds) { m_end.setInterval(milliseconds); }
@@ -39,13 +40,16 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void refresh();
-    void place();
+    /// Gives the status bar the height that the sentence needs.
+    void makeRoom();
 
-    QWidget& m_below;
+    QStatusBar& m_bar;
+    int m_usualHeight;  ///< of the status bar
     QLabel* m_icon;
     QLabel* m_text;
     QToolButton* m_take;

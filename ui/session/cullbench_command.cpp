@@ -87,6 +87,7 @@ QStringList cullbenchArguments(const PictureSubject& picture, const QString& out
     words << QStringLiteral("--size=") + QString::fromStdString(sizeText(picture.size));
     if (!(picture.cullingSize == picture.size))
         words << QStringLiteral("--culling-size=") + QString::fromStdString(sizeText(picture.cullingSize));
+    if (picture.section) words << QStringLiteral("--section=") + QString::fromStdString(sectionText(*picture.section));
     words << lookWords(picture.look) << QStringLiteral("--background=") + hex(picture.style.background)
           << QStringLiteral("--surface=") + hex(picture.style.surface) << QStringLiteral("-o") << output;
     return words;

@@ -174,6 +174,7 @@ void Session::show(const OpenedScenePointer& opened) {
     m_hidden.assign(opened->scene->instances().size(), false);
     m_up = opened->scene->remarks().up.value_or(m_chosenUp.value_or(opened->scene->upAxis()));
     m_chosenNear.reset();
+    setSection(std::nullopt);
     m_camera = Camera{};
     m_pick.reset();
     m_pointBefore.reset();
@@ -310,6 +311,13 @@ void Session::setDrawStyle(const DrawStyle& style) {
     update();
 }
 
+void Session::setSection(const std::optional<Section>& section) {
+    if (section == m_section) return;
+    m_section = section;
+    update();
+    emit sectionChanged();
+}
+
 std::optional<ViewRequest> Session::viewRequest(int view) const {
     const Viewport size = renderSize(view);
     if (!shown(view) || !setup(view).panel.empty() || size.width < 1 || size.height < 1) return std::nullopt;
@@ -327,6 +335,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.size = size;
     request.look = setup(view).look;
     request.style = m_style;
+    request.section = m_section;
     const ViewMetrics& known = figures(view);
     if (request.look.has(Show::Kind::Verdicts) && known.states && known.subject == *subject) request.states = known.states;
     const Wipe& wipe = setup(view).wipe;
@@ -342,6 +351,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
         request.states = nullptr;
         request.wipe = Wipe::Mode::None;
         request.other = nullptr;
+        request.section.reset();
     }
     limitToStep(request);
     return request.complete() ? std::optional(request) : std::nullopt;

@@ -160,6 +160,9 @@ public:
     [[nodiscard]] Viewport renderSize(int view) const { return setup(view).size.value_or(viewport(view)); }
     [[nodiscard]] const DrawStyle& drawStyle() const { return m_style; }
     void setDrawStyle(const DrawStyle& style);
+    /// The plane that cuts the pictures of all views; none: they show all that is drawn. Another scene has none at first.
+    [[nodiscard]] const std::optional<Section>& section() const { return m_section; }
+    void setSection(const std::optional<Section>& section);
     /// The request for a view's picture; none while scene, strategy or size are missing.
     [[nodiscard]] std::optional<ViewRequest> viewRequest(int view) const;
     /// The newest picture of a view; null: none yet, or the strategy is refused.
@@ -242,6 +245,7 @@ public:
 signals:
     void sceneChanged();
     void hiddenChanged();
+    void sectionChanged();
     void buffersChanged();
     /// The viewing or culling camera, or the near plane, of a view changed.
     void cameraChanged();
@@ -338,6 +342,7 @@ private:
     std::unique_ptr<MovingViews> m_moving;
     std::unique_ptr<PictureMaker> m_pictures;
     DrawStyle m_style;
+    std::optional<Section> m_section;
 
     Camera m_camera;
     UpAxis m_up = UpAxis::Y;

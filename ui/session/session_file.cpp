@@ -48,6 +48,7 @@ Json jsonOfState(const SessionState& state, const std::string& scene) {
     json["up"] = state.up == UpAxis::Y ? "y" : "z";
     json["camera"] = jsonOf(state.camera);
     json["chosen_near"] = state.chosenNear ? Json(*state.chosenNear) : Json();
+    if (state.section) json["section"] = sectionText(*state.section);
     json["arrangement"] = state.arrangement;
     json["view_count"] = state.viewCount;
     json["active_view"] = state.activeView;
@@ -102,6 +103,13 @@ std::vector<bool> readHidden(const JsonField& json) {
     if (!hidden) return {};
     const size_t objects = size_t(json.at("objects").wholeNumber(0, kMostObjects));
     return hidden->checked([&] { return hiddenFromText(hidden->text(), objects); });
+}
+
+Section readSection(const JsonField& field) {
+    const std::optional<Section> section = sectionFromText(field.text());
+    if (!section)
+        field.checked([] { throwInput(QT_TRANSLATE_NOOP("core", "write x, y, z or view, and a share, as in \"x:0.5\".")); });
+    return section.value_or(Section{});
 }
 
 void readViews(const JsonField& list, SessionState& state) {
@@ -170,6 +178,7 @@ SessionState readState(const JsonField& json, const std::filesystem::path& file)
     readWindow(json, state);
     if (const auto place = json.find("place")) state.place = readPlace(*place);
     if (const auto inside = json.find("inside")) readInside(*inside, state);
+    if (const auto section = json.find("section")) state.section = readSection(*section);
     if (const auto colours = json.find("colours")) state.style = readStyle(*colours);
     readViews(json.at("views"), state);
     if (const auto bookmarks = json.find("bookmarks")) readBookmarks(*bookmarks, state.bookmarks);

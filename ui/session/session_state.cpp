@@ -46,6 +46,7 @@ SessionState captureState(const Session& session) {
     state.camera = session.camera();
     state.up = session.upAxis();
     state.chosenNear = session.chosenNear();
+    state.section = session.section();
     state.viewCount = session.viewCount();
     state.activeView = session.activeView();
     if (session.step()) state.place = session.step()->place;
@@ -72,6 +73,7 @@ void applyState(Session& session, const SessionState& state) {
     session.setUpAxis(state.up);
     applySetups(session, state);
     session.setChosenNear(state.chosenNear);
+    session.setSection(state.section);
     session.setCamera(state.camera);
 }
 
@@ -88,6 +90,7 @@ PictureSubject pictureSubject(const Session& session, int view, const std::optio
     subject.size = request ? request->size : session.renderSize(view);
     subject.cullingSize = request ? request->cullingSize : subject.size;
     subject.look = request ? request->look : session.setup(view).look;
+    subject.section = request ? request->section : session.section();
     subject.style = request ? request->style : session.drawStyle();
     return subject;
 }

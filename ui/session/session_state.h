@@ -28,6 +28,7 @@ struct SessionState {
     Camera camera;             ///< the linked views' camera
     UpAxis up = UpAxis::Y;
     std::optional<double> chosenNear;
+    std::optional<Section> section;  ///< that cuts the pictures
     int viewCount = 2;
     int activeView = 0;
     std::string arrangement;  ///< id of the window's arrangement; empty: keep the present one

@@ -55,10 +55,13 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
         return role == Qt::DisplayRole && section < m_strategies.size() ? QVariant(m_strategies[section]) : QVariant();
     if (size_t(section) >= m_experiments.size()) return {};
     const PastExperiment& experiment = m_experiments[size_t(section)];
-    const QString time = QLocale().toString(experiment.when.time(), QLocale::ShortFormat);
+    // Of today the time tells them apart, of other days the day.
+    const QDateTime when = experiment.when.toLocalTime();
+    const QString time = when.date() == QDate::currentDate() ? QLocale().toString(when.time(), QLocale::ShortFormat)
+                                                             : QLocale().toString(when, QLocale::ShortFormat);
     if (role == Qt::DisplayRole)
         return tr("%1, %2\n%3", "scene, time, path and size").arg(experiment.scene, time, experiment.what);
-    if (role == Qt::ToolTipRole) return QLocale().toString(experiment.when, QLocale::LongFormat);
+    if (role == Qt::ToolTipRole) return QLocale().toString(experiment.when.toLocalTime(), QLocale::LongFormat);
     return {};
 }
 

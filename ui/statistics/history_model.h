@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// An experiment that was measured since the program began.
+/// An experiment that was measured, in this session or an earlier one.
 struct PastExperiment {
     QString scene;  ///< its name
     QString what;   ///< camera path and size of the pictures, as the statistics say it

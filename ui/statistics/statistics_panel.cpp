@@ -364,7 +364,7 @@ void StatisticsPanel::retranslate() {
     m_run->setAccessibleName(tr("Strategy whose poses are shown"));
     m_table->setAccessibleName(tr("Results"));
     m_pastTable->setAccessibleName(tr("Experiments beside each other"));
-    m_historyEmpty->setText(tr("Each experiment that ends appears here beside the others, until the program ends."));
+    m_historyEmpty->setText(tr("Each experiment that ends appears here beside the others, also at later starts."));
     m_history->retranslate();
     m_software->setText(tr("software OpenGL"));
     m_software->setToolTip(tr("Software OpenGL: not the times of a graphics card"));

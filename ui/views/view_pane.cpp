@@ -38,6 +38,7 @@ ViewPane::ViewPane(Session& session, int view, QWidget* parent)
     connect(&session, &Session::sceneChanged, m_budget, &BudgetBar::clear);
     connect(&session, &Session::cameraChanged, this, &ViewPane::refreshChip);
     connect(&session, &Session::hiddenChanged, this, &ViewPane::refreshChip);
+    connect(&session, &Session::sectionChanged, this, &ViewPane::refreshChip);
     connect(&session, &Session::viewCountChanged, this, &ViewPane::refreshChip);
     connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::pictureChanged, this, mine);
@@ -95,6 +96,7 @@ QString ViewPane::chipText() const {
     if (m_picture->pace() != kUsualPace)
         parts << tr("flying speed × %1 ([ and ])").arg(QLocale().toString(m_picture->pace(), 'g', 3));
     if (setup.look.has(Show::Kind::Wireframe) && !setup.look.inPlace()) parts << tr("wireframe; figures of the filled picture");
+    if (m_session.section() && !setup.look.inPlace()) parts << tr("cut by a plane; figures of the whole scene");
     if (setup.upload == Upload::VertexArray) parts << tr("vertex arrays");
     const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
     if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);

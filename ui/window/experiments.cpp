@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
+#include "ui/statistics/history_file.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -15,6 +17,16 @@ constexpr size_t kMostRemembered = 50;  // experiments
 Experiments::Experiments(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_runner(new SceneExperiment(session.gpu(), session.structures(), this)) {
     wire();
+    m_history = kept();
+}
+
+std::vector<PastExperiment> Experiments::kept() {
+    try {
+        return readHistory(historyFile());
+    } catch (const Error& failure) {
+        m_session.raise(Severity::Warning, failure.message());
+        return {};
+    }
 }
 
 void Experiments::wire() {
@@ -115,9 +127,16 @@ std::vector<StrategyRequest> Experiments::shownStrategies() const {
 void Experiments::remember() {
     if (!m_result || m_result->runs.empty() || m_result->runs.front().frames.empty()) return;
     const QString scene = QString::fromStdString(m_result->request.scene->name());
+    // Another window may have added to it.
+    m_history = kept();
     m_history.push_back(
         {scene, StatisticsPanel::pathAndSize(m_result->request), QDateTime::currentDateTime(), resultRows(m_table)});
-    if (m_history.size() > kMostRemembered) m_history.erase(m_history.begin());
+    if (m_history.size() > kMostRemembered) m_history.erase(m_history.begin(), m_history.end() - std::ptrdiff_t(kMostRemembered));
+    try {
+        writeHistory(historyFile(), m_history);
+    } catch (const Error& failure) {
+        m_session.raise(Severity::Warning, failure.message());
+    }
     for (StatisticsPanel* panel : m_panels) panel->setHistory(m_history);
 }
 

@@ -30,8 +30,10 @@ private:
     /// The strategies of the shown views, each once.
     [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
-    /// Keeps the figures of what was measured, to be compared with later experiments.
+    /// Keeps the figures of what was measured, to be compared with later experiments, also at later starts.
     void remember();
+    /// What is kept; what cannot be read is said once and begins anew.
+    [[nodiscard]] std::vector<PastExperiment> kept();
     void show(const ResultTable& table, const MeasureResult& result);
     void goToPose(int pose);
     void showLive(StatisticsPanel& panel) const;
@@ -43,7 +45,7 @@ private:
     std::optional<CameraPath> m_recorded;
     std::optional<MeasureResult> m_result;  ///< the newest one, partial or complete
     ResultTable m_table;                    ///< of that result
-    std::vector<PastExperiment> m_history;  ///< since the program began, the newest last
+    std::vector<PastExperiment> m_history;  ///< the newest last; kept in a file
     bool m_running = false;
 };
 

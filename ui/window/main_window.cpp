@@ -116,7 +116,6 @@ void MainWindow::makeCentre() {
     m_middle->addWidget(m_questionBar);
     row->addLayout(m_middle, 1);
     row->addWidget(m_rightRail);
-    m_message = new MessageBar(*m_stack);
     setCentralWidget(centre);
 }
 
@@ -201,6 +200,7 @@ void MainWindow::makeStatusBar() {
     statusBar()->setContentsMargins(0, 0, 6, 0);
     // Fixed height: the loading strip must not change the size of the views.
     statusBar()->setFixedHeight(m_loading->sizeHint().height() + 4);
+    m_message = new MessageBar(*statusBar());
 }
 
 void MainWindow::wireCommands() {

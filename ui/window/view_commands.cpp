@@ -48,6 +48,10 @@ void ViewCommands::wire() {
     connect(m_actions.watch, &QAction::triggered, this, &ViewCommands::watch);
     connect(&m_actions, &WindowActions::namedViewChosen, this,
             [this](int index) { lookFrom(m_session, namedViews()[size_t(index)]); });
+    connect(m_actions.clippingPlane, &QAction::triggered, this, [this] {
+        if (m_clippingPlane == nullptr) m_clippingPlane = new SectionDialog(m_session, m_window);
+        m_clippingPlane->begin();
+    });
     connect(m_actions.projection, &QActionGroup::triggered, this, [this](const QAction* action) {
         setProjection(m_session, action == m_actions.parallel ? ProjectionKind::Parallel : ProjectionKind::Perspective);
     });
@@ -116,7 +120,7 @@ void ViewCommands::refresh() {
     const bool scene = m_session.opened() != nullptr;
     const bool model = scene && setup.look.inPlace();
     m_actions.setPictureUsable(scene, model);
-    for (QAction* action : {m_actions.perspective, m_actions.parallel, m_actions.lookFrom->menuAction()})
+    for (QAction* action : {m_actions.clippingPlane, m_actions.perspective, m_actions.parallel, m_actions.lookFrom->menuAction()})
         action->setEnabled(scene);
     refreshProjection();
     m_actions.freeze->setChecked(setup.role == Role::Frozen);

@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "ui/dialogs/screenshot_taker.h"
+#include "ui/dialogs/section_dialog.h"
 #include "ui/views/view_grid.h"
 #include "ui/window/view_menu.h"
 #include "ui/window/window_actions.h"
@@ -44,6 +45,7 @@ private:
     WindowActions& m_actions;
     QWidget* m_window;
     ScreenshotTaker& m_screenshots;
+    SectionDialog* m_clippingPlane = nullptr;  ///< made when it is first opened
     QSettings m_settings;
 };
 

@@ -83,6 +83,7 @@ void WindowActions::makeView() {
     frame = command(Qt::Key_Period, QStringLiteral("frame"));
     perspective = option(projection, QStringLiteral("perspective"));
     parallel = option(projection, QStringLiteral("parallel"));
+    clippingPlane = command({});
     upY = option(upAxis, QStringLiteral("y"));
     upZ = option(upAxis, QStringLiteral("z"));
     stepThrough = toggle(Qt::Key_F8, QStringLiteral("step-forward"));
@@ -192,6 +193,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addMenu(lookFrom);
     m_viewMenu->addMenu(m_projectionMenu);
     m_projectionMenu->addActions(projection->actions());
+    m_viewMenu->addAction(clippingPlane);
     m_viewMenu->addMenu(bookmarks);
     m_viewMenu->addMenu(pictureSize);
     m_viewMenu->addMenu(m_upMenu);
@@ -342,6 +344,7 @@ void WindowActions::retranslateView() {
     m_projectionMenu->setTitle(tr("Pro&jection"));
     say(perspective, tr("&Perspective"), tr("Lines of sight meet in the eye: what is farther is smaller"));
     say(parallel, tr("P&arallel"), tr("Lines of sight run side by side: sizes do not depend on the distance (orthographic)"));
+    say(clippingPlane, tr("Clippin&g plane…"), tr("Cut the pictures by a plane, to look inside: a section"));
     pictureSize->setTitle(tr("Picture si&ze"));
     panels->setTitle(tr("&Panels"));
     say(oneView, tr("&1 view"), tr("Show one view"));

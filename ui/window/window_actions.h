@@ -49,7 +49,8 @@ public:
     QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
-    QMenu* lookFrom;                  ///< filled from namedViews()
+    QMenu* lookFrom;  ///< filled from namedViews()
+    QAction* clippingPlane;
     QAction *perspective, *parallel;  ///< for the active view
     QMenu* pictureSize;               ///< of all views
     /// Menu for the docks' toggle actions.

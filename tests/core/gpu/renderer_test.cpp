@@ -1,5 +1,6 @@
 #include "core/gpu/renderer.h"
 
+#include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/pixel_edges.h"
@@ -50,6 +51,48 @@ TEST(Renderer, backFaceIsDrawnOnlyWhereBothSidesAre) {
     EXPECT_GT(covered(picture(square, lookingAt({0, 0, 3}, {0, 0, 0}), Facing::Front).depth), 0u);
     EXPECT_EQ(covered(picture(square, lookingAt({0, 0, -3}, {0, 0, 0}), Facing::Front).depth), 0u);
     EXPECT_GT(covered(picture(square, lookingAt({0, 0, -3}, {0, 0, 0}), Facing::TwoSided).depth), 0u);
+}
+
+TEST(Renderer, aSectionShowsExactlyWhatLiesOnTheKeptSideOfItsPlane) {
+    const ScenePointer scene = sceneOf({knotMesh(3000), boxMesh(Vec3f(-1), Vec3f(1)), starMesh(3, 800)},
+                                       {Mat4(1.0), translation({1.5, 0, 0}) * scaling({-0.5, 0.8, 1}), translation({0, 1.2, 0})});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Random random(11);
+    uint64_t kept = 0, cut = 0;
+    for (int i = 0; i < 40; ++i) {
+        Camera camera{4.0 * random.direction(), 0.3 * random.direction(), {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100};
+        if (i % 3 == 0) camera = inParallel(camera);
+        View view(camera, {96, 72});
+        const View whole = view;
+        const Vec3 normal = random.direction();
+        const Plane plane{normal, -glm::dot(normal, random.direction())};
+        view.cutBy(plane);
+        const DrawList list = everything(*scene, Facing::TwoSided);
+        const auto all = GlEnvironment::renderer().drawItemBuffer(buffers, whole, list);
+        const auto shown = GlEnvironment::renderer().drawItemBuffer(buffers, view, list);
+        EXPECT_EQ(picture(buffers, view, list).depth, shown.depth) << "the picture and the item buffer are cut alike";
+        const auto sideOf = [&](float depth, size_t pixel) {
+            const double x = double(pixel % 96) + 0.5, y = double(pixel / 96) + 0.5;
+            return plane.distance(view.pointAt(x, y, view.distanceFromDepth(double(depth))));
+        };
+        for (size_t pixel = 0; pixel < all.depth.size(); ++pixel) {
+            if (shown.triangle[pixel] != 0)
+                EXPECT_GT(sideOf(shown.depth[pixel], pixel), -1e-3) << i << ": shows what is cut away";
+            if (all.triangle[pixel] == 0) {
+                EXPECT_EQ(shown.triangle[pixel], 0u);
+                continue;
+            }
+            const double side = sideOf(all.depth[pixel], pixel);
+            if (std::abs(side) < 1e-2) continue;
+            (side > 0.0 ? kept : cut) += 1;
+            // A surface in front that is kept stays in front; one that is cut away is not shown.
+            EXPECT_EQ(shown.triangle[pixel] == all.triangle[pixel], side > 0.0) << i << " pixel " << pixel;
+        }
+        // Front faces alone are no obstacle: a section shows the insides.
+        EXPECT_EQ(picture(buffers, view, everything(*scene, Facing::Front)).depth, shown.depth);
+    }
+    EXPECT_GT(kept, 5000u);
+    EXPECT_GT(cut, 5000u);
 }
 
 // A software OpenGL gets small ranges gathered into one; indices have 16 bits in the small meshes and 32 in the large one.
