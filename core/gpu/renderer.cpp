@@ -19,7 +19,7 @@ void addAttribute(unsigned array, GLuint attribute, size_t offset, GLuint bindin
 /// Begins shaded triangles within a drawing state, which resets the mode of polygons.
 void beginShaded(const Program& lambert, const DrawStyle& style) {
     glUseProgram(lambert.id());
-    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    setSurfaceColours(style);
     if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
 }
 
@@ -30,6 +30,11 @@ bool replaysInStyle(const View& view, const FrameLog& log, const DrawStyle& styl
 }
 
 }  // namespace
+
+void setSurfaceColours(const DrawStyle& style) {
+    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    glUniform3fv(kBackColour, 1, glm::value_ptr(style.back.value_or(style.surface)));
+}
 
 Renderer::Programs::Programs()
     : lambert(embedded::scene_vert, embedded::lambert_frag),
@@ -100,6 +105,14 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const FrameLo
         cleared = true;
     }
     if (!cleared) clear(view, target, style);
+}
+
+void Renderer::drawOver(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
+                        const DrawStyle& style) {
+    const DrawingState state(view, target, list.facing, list.depth);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    beginShaded(m_programs->lambert, style);
+    submitAll(buffers, view, list, m_programs->vertexArray);
 }
 
 bool replaysFrom(const View& view, const FrameLog& log) {
