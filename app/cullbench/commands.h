@@ -23,6 +23,7 @@ struct Context {
 void addListCommand(CLI::App& app, Context& context);
 void addRenderCommand(CLI::App& app, Context& context);
 void addMeasureCommand(CLI::App& app, Context& context);
+void addFigureCommand(CLI::App& app, Context& context);
 void addExportCommand(CLI::App& app, Context& context);
 void addInspectCommand(CLI::App& app, Context& context);
 void addPathCommand(CLI::App& app, Context& context);

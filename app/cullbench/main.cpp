@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
     addListCommand(app, context);
     addRenderCommand(app, context);
     addMeasureCommand(app, context);
+    addFigureCommand(app, context);
     addExportCommand(app, context);
     addInspectCommand(app, context);
     addPathCommand(app, context);

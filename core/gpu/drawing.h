@@ -25,7 +25,8 @@ enum Uniform : GLint {
     kHatch = 6,
     kHatchPlace = 7,
     kFirstPlace = 8,
-    kSection = 9  ///< of scene_cut.vert
+    kSection = 9,  ///< of scene_cut.vert
+    kBackColour = 10
 };
 
 inline constexpr GLuint kPosition = 0;
@@ -112,6 +113,9 @@ private:
 
 /// Clears the bound framebuffer's colour to the style's background, and its depth.
 void clearTo(const DrawStyle& style);
+
+/// The colours of the Lambert shader in use.
+void setSurfaceColours(const DrawStyle& style);
 
 /// Writes the part of a finished picture that a framebuffer holds: its depth, and its colour, shaded as the Lambert shader does.
 void writePicture(const Scene& scene, const View& view, const FinishedPicture& picture, const DrawStyle& style,

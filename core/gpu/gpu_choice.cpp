@@ -92,7 +92,7 @@ void Renderer::execute(const View& view, const Choice& choice, Framebuffer& targ
     const DrawingState state(view, target, list.facing, list.depth);
     if (cleared) clearTo(style);
     glUseProgram(m_programs->of(view).lambert.id());
-    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    setSurfaceColours(style);
     VertexInput input(*choice.m_buffers, m_programs->vertexArray, list.order, list.facing);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, choice.m_commands);
     for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {

@@ -20,7 +20,7 @@ void addAttribute(unsigned array, GLuint attribute, size_t offset, GLuint bindin
 /// Begins shaded triangles within a drawing state, which resets the mode of polygons.
 void beginShaded(const Program& lambert, const DrawStyle& style) {
     glUseProgram(lambert.id());
-    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    setSurfaceColours(style);
     if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
 }
 
@@ -43,6 +43,11 @@ ScenePrograms& Renderer::Programs::of(const View& view) {
     if (!view.section()) return scene;
     if (!sectionScene) sectionScene = std::make_unique<ScenePrograms>(embedded::scene_cut_vert);
     return *sectionScene;
+}
+
+void setSurfaceColours(const DrawStyle& style) {
+    glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    glUniform3fv(kBackColour, 1, glm::value_ptr(style.back.value_or(style.surface)));
 }
 
 Renderer::Programs::Programs()
@@ -111,6 +116,14 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const FrameLo
         cleared = true;
     }
     if (!cleared) clear(view, target, style);
+}
+
+void Renderer::drawOver(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
+                        const DrawStyle& style) {
+    const DrawingState state(view, target, list.facing, list.depth);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    beginShaded(m_programs->of(view).lambert, style);
+    submitAll(buffers, view, list, m_programs->input());
 }
 
 bool replaysFrom(const View& view, const FrameLog& log) {

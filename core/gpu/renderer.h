@@ -17,8 +17,9 @@ struct DrawStyle {
     Vec3f background{0.078f, 0.090f, 0.110f};
     float backgroundAlpha = 1.0f;
     Vec3f surface{0.80f, 0.80f, 0.78f};
-    bool wireframe = false;  ///< the edges of triangles, without the surfaces between them
-    float unit = 1.0f;       ///< pixels for one unit of line width: lines and hatching grow with a large picture
+    std::optional<Vec3f> back{};  ///< of the surfaces' back sides; none: as of the front
+    bool wireframe = false;       ///< the edges of triangles, without the surfaces between them
+    float unit = 1.0f;            ///< pixels for one unit of line width: lines and hatching grow with a large picture
 
     bool operator==(const DrawStyle&) const = default;
 };
@@ -83,6 +84,9 @@ public:
     /// Clears `target` and draws the list as seen by `view`, whose viewport must be the target's size or contain its tile.
     void draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
               const DrawStyle& style = {});
+    /// Draws the list over the picture that is in `target`, before all of it: as the first thing that has a depth.
+    void drawOver(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
+                  const DrawStyle& style = {});
     /// Replays a frame: clears `target` and executes the log's commands as seen by `view`. Where that is the culling view, the
     /// picture is the frame's own. From any other place a finished picture is seen as the triangles that it shows.
     void draw(const SceneBuffers& buffers, const View& view, const FrameLog& log, Framebuffer& target,

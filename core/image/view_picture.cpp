@@ -17,6 +17,10 @@ using VerdictPalette = std::array<PaletteEntry, kTriangleStateCount>;
 /// Width of the background-coloured border on both sides of a cased line, in units.
 constexpr float kCasing = 1.0f;
 constexpr float kSectionWidth = 1.5f;  // in units
+/// How much of the surface's colour a ghost has; the rest is the background's.
+constexpr float kGhostShare = 0.32f;
+/// Of back sides: orange, which no verdict has.
+constexpr uint32_t kBackOnDark = 0xE08A50, kBackOnLight = 0xC8601E;
 
 /// A palette in which only drawn triangles keep their look.
 VerdictPalette drawnOnly(VerdictPalette palette) {
@@ -147,6 +151,10 @@ std::vector<std::string> contrastLegendOf(const ViewLook& look, const StrategyIn
     return words;
 }
 
+Vec3f ghostColour(const DrawStyle& style) { return glm::mix(style.background, style.surface, kGhostShare); }
+
+Vec3f backColour(const Vec3f& background) { return colourFromHexadecimal(isLight(background) ? kBackOnLight : kBackOnDark); }
+
 bool needsDecisions(const ViewLook& look) {
     return !look.inPlace() && (look.has(Show::Kind::Verdicts) || look.has(Show::Kind::Boxes) || look.has(Show::Kind::Overlay));
 }
@@ -156,6 +164,7 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
                      Framebuffer& target) {
     DrawStyle style = given;
     style.wireframe = style.wireframe || look.has(Show::Kind::Wireframe);
+    if (look.has(Show::Kind::Backs)) style.back = backColour(style.background);
     if (look.has(Show::Kind::Model))
         return drawSphericalModel(renderer, buffers, viewing, drawnTriangles(buffers.scene(), log), style, target);
     if (look.has(Show::Kind::Verdicts)) {
@@ -167,6 +176,12 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
         const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;
         renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states),
                              look.has(Show::Kind::Left) ? palette : drawnOnly(palette), target, style);
+    } else if (look.has(Show::Kind::Ghost)) {
+        // Almost unshaded, so that the ghost is paler than what lies before it everywhere.
+        const std::array palette{PaletteEntry{ghostColour(style), style.wireframe ? Look::Wireframe : Look::Filled}};
+        const std::vector<uint8_t> all(buffers.scene().triangleCount(), 0);
+        renderer.drawByState(buffers, viewing, Facing::TwoSided, all, palette, target, style);
+        renderer.drawOver(buffers, viewing, drawnTriangles(buffers.scene(), log), target, style);
     } else {
         renderer.draw(buffers, viewing, log, target, style);
     }

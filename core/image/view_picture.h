@@ -59,6 +59,10 @@ private:
 /// What lines in the contrasting colour mean in a picture by a strategy (Show::contrastWords); marked for translation.
 [[nodiscard]] std::vector<std::string> contrastLegendOf(const ViewLook& look, const StrategyInfo& strategy);
 
+/// The colour of what a ghost shows (Show::Kind::Ghost), and of the surfaces' back sides (Show::Kind::Backs).
+[[nodiscard]] Vec3f ghostColour(const DrawStyle& style);
+[[nodiscard]] Vec3f backColour(const Vec3f& background);
+
 /// Whether drawViewPicture reads decisions for this look; if not, the frame need not be recorded.
 [[nodiscard]] bool needsDecisions(const ViewLook& look);
 

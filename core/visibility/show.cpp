@@ -47,6 +47,30 @@ Show wireframeShow() {
     return show;
 }
 
+Show ghostShow() {
+    Show show;
+    show.kind = Show::Kind::Ghost;
+    show.id = "ghost";
+    show.help = "all objects as ghosts around what was drawn";
+    show.title = CULLSCOPE_TR("Ghost of the whole objects");
+    show.action = CULLSCOPE_TR("&Ghost of the whole objects");
+    show.explanation = CULLSCOPE_TR("Show all objects as ghosts around what was drawn of them in the active view");
+    return show;
+}
+
+Show backsShow() {
+    Show show;
+    show.kind = Show::Kind::Backs;
+    show.id = "back-sides";
+    show.help = "the back sides of surfaces in orange, so that a hollow is not taken for a body";
+    show.title = CULLSCOPE_TR("Back sides in orange");
+    show.action = CULLSCOPE_TR("Back si&des in orange");
+    show.explanation =
+        CULLSCOPE_TR("Show the back sides of surfaces in orange in the active view: what is hollow is not taken for a body");
+    show.field = {"back_sides", {}, {}};
+    return show;
+}
+
 Show frustumShow() {
     Show show;
     show.kind = Show::Kind::Frustum;
@@ -103,8 +127,8 @@ std::optional<Show::Kind> Show::with() const {
 }
 
 const std::vector<Show>& commonShows() {
-    static const std::vector<Show> kShows{verdictsShow(), leftShow(),     wireframeShow(),     frustumShow(),
-                                          boxesOfTree(),  boxesByPlane(), sphericalModelShow()};
+    static const std::vector<Show> kShows{verdictsShow(), leftShow(),    wireframeShow(), ghostShow(),         backsShow(),
+                                          frustumShow(),  boxesOfTree(), boxesByPlane(),  sphericalModelShow()};
     return kShows;
 }
 

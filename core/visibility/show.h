@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/frame/flow_chart.h"
 #include "core/frame/listing.h"
 #include "core/visibility/triangle_states.h"
 
@@ -34,6 +35,8 @@ struct Show {
     enum class Kind {
         Verdicts,      ///< the triangles in the colours of what became of them
         Wireframe,     ///< edges alone, without the surfaces between them: of the picture, never of the frame that is judged
+        Ghost,         ///< all objects as ghosts, before which lies what was drawn; nothing with Verdicts, which show the rest
+        Backs,         ///< the back sides of surfaces in a colour of their own; nothing with Verdicts
         Boxes,         ///< the boxes of the tree, over a view's picture. Declared by a strategy: its own form of them
         Frustum,       ///< the culling camera's frustum as lines, where another camera looks
         Overlay,       ///< lines over a view's picture
@@ -62,6 +65,7 @@ struct Show {
     std::vector<ShowColouring> colourings;  ///< of a DirectionMap: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
     std::vector<ListingLine> lines;         ///< of a Listing: kMostListingLines at most
+    FlowChart chart{};                      ///< of a Listing: the same as a flow chart; empty: there is none
 
     // Of what a view's picture shows or not.
     std::string key{};   ///< that switches it in the desktop; empty: none

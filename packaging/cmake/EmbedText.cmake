@@ -1,13 +1,13 @@
 # embed_text(TARGET NAMESPACE_HEADER FILES…): turns text files into string constants of a target, so that programs need no data
 # files. `shaders/scene.vert` becomes cullscope::embedded::scene_vert in <build>/embedded/HEADER.
 function(embed_text target header)
-  set(content "#pragma once\n\n#include <string_view>\n\nnamespace cullscope::embedded {\n")
+  set(content "#pragma once\n\n#include <string_view>\n\nnamespace cullscope::embedded {\nusing namespace std::string_view_literals;\n")
   foreach(file ${ARGN})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     file(READ ${file} text)
     get_filename_component(name ${file} NAME)
     string(REPLACE "." "_" name ${name})
-    string(APPEND content "inline constexpr std::string_view ${name} = R\"embedded(${text})embedded\";\n")
+    string(APPEND content "inline constexpr std::string_view ${name} = R\"embedded(${text})embedded\"sv;\n")
   endforeach()
   string(APPEND content "}  // namespace cullscope::embedded\n")
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/embedded/${header} CONTENT "${content}" @ONLY)

@@ -40,10 +40,12 @@ void expectRefusal(const ProcessResult& result, const std::string& mentions) {
 
 TEST_F(CullbenchOverlay, unknownOrUnavailableOneIsRefused) {
     const std::string sphere = "sphere:triangles=200";
-    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, wireframe, boxes, frustum");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}),
+                  "Known: verdicts, wireframe, ghost, back-sides, boxes, frustum");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "There is no overlay \"tree\"");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "index-map"}), "\"frustum\" has no index map");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "bands"}), "\"frustum\" has no contour bands");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "sizes"}), "\"frustum\" has no contour bands");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "kernel"}), "\"frustum\" has no quadtree and no inner kernel");
     expectRefusal(render(sphere, "spherical", "a.png", {"--overlay", "kernel"}), "\"spherical\" has no quadtree");
     expectRefusal(render(sphere, "spherical-lossless", "a.png", {"--overlay", "bands"}), "has no contour bands");

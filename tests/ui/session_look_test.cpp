@@ -23,12 +23,16 @@ std::string written(const ViewLook& look) {
 }
 
 TEST(SessionLook, isWrittenAsAlways) {
-    EXPECT_EQ(written({}), R"({"colouring":"shaded","culled_too":true,"wireframe":false,"frustum":false,"boxes":false,)"
-                           R"("box_colouring":"verdict","spherical_model":false})");
+    EXPECT_EQ(
+        written({}),
+        R"({"colouring":"shaded","culled_too":true,"wireframe":false,"ghost":false,"back_sides":false,"frustum":false,"boxes":false,)"
+        R"("box_colouring":"verdict","spherical_model":false})");
     ViewLook look{"verdicts", "frustum", "boxes", "planes", "bands", "spherical-model"};
     look.show("culled_too", false);
-    EXPECT_EQ(written(look), R"({"colouring":"verdicts","culled_too":false,"wireframe":false,"frustum":true,"boxes":true,)"
-                             R"("box_colouring":"plane","spherical_model":true})");
+    EXPECT_EQ(
+        written(look),
+        R"({"colouring":"verdicts","culled_too":false,"wireframe":false,"ghost":false,"back_sides":false,"frustum":true,"boxes":true,)"
+        R"("box_colouring":"plane","spherical_model":true})");
 }
 
 TEST(SessionLook, declaredOverlaysStandBeforeTheModel) {
@@ -36,7 +40,8 @@ TEST(SessionLook, declaredOverlaysStandBeforeTheModel) {
     std::vector<std::string> keys;
     for (const auto& [key, value] : look.items()) keys.push_back(key);
     EXPECT_EQ(keys.back(), "spherical_model");
-    EXPECT_EQ(keys.at(6), "bands");
+    EXPECT_EQ(keys.at(8), "bands");
+    EXPECT_EQ(keys.at(9), "sizes");
 }
 
 }  // namespace

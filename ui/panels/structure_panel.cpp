@@ -42,6 +42,7 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     m_tabs->setParent(this);
     m_tree = new StructureTree(session, reader, m_tabs);
     m_listing = new ListingPanel(session, reader, m_tabs);
+    m_chart = new FlowChartPanel(session, reader, m_tabs);
     m_bars = new BarsPanel(session, reader, m_tabs);
     m_why = new WhyPanel(session, reader, m_tabs);
     m_losses = new LossPanel(session, m_tabs);
@@ -49,8 +50,12 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(4);
     layout->addWidget(m_map);
-    const std::array<std::pair<QWidget*, const char*>, 5> pages{
-        {{m_tree, "tree"}, {m_listing, "listing"}, {m_bars, "counts"}, {m_why, "why"}, {m_losses, "losses"}}};
+    const std::array<std::pair<QWidget*, const char*>, 6> pages{{{m_tree, "tree"},
+                                                                 {m_listing, "listing"},
+                                                                 {m_chart, "flow-chart"},
+                                                                 {m_bars, "counts"},
+                                                                 {m_why, "why"},
+                                                                 {m_losses, "losses"}}};
     for (const auto& [page, id] : pages) {
         page->setObjectName(QLatin1String(id));
         m_tabs->addTab(page, QString());
@@ -147,6 +152,7 @@ void StructurePanel::setShows(const std::vector<Show>& shows) {
         return std::ranges::any_of(shows, [=](const Show& show) { return show.kind == kind; });
     };
     showTab(m_listing, has(Show::Kind::Listing));
+    showTab(m_chart, std::ranges::any_of(shows, [](const Show& show) { return !show.chart.empty(); }));
     showTab(m_bars, has(Show::Kind::Bars));
     m_map->setVisible(!m_audience || has(Show::Kind::DirectionMap));
     markPart();
@@ -172,6 +178,7 @@ void StructurePanel::retranslate() {
     for (CurvePanel* curve : m_curves) m_tabs->setTabText(m_tabs->indexOf(curve), translated(curve->declared().title));
     m_tabs->setTabText(m_tabs->indexOf(m_tree), tr("Tree"));
     m_tabs->setTabText(m_tabs->indexOf(m_listing), tr("Listing"));
+    m_tabs->setTabText(m_tabs->indexOf(m_chart), tr("Flow chart"));
     m_tabs->setTabText(m_tabs->indexOf(m_bars), tr("Counts"));
     m_tabs->setTabText(m_tabs->indexOf(m_why), tr("Why"));
     m_tabs->setTabText(m_tabs->indexOf(m_losses), tr("Losses"));

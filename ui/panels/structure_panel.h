@@ -5,6 +5,7 @@
 
 #include "ui/panels/bars_panel.h"
 #include "ui/panels/curve_panel.h"
+#include "ui/panels/flow_chart_panel.h"
 #include "ui/panels/listing_panel.h"
 #include "ui/panels/loss_panel.h"
 #include "ui/panels/map_panel.h"
@@ -26,6 +27,7 @@ public:
     [[nodiscard]] MapPanel& map() { return *m_map; }
     [[nodiscard]] StructureTree& tree() { return *m_tree; }
     [[nodiscard]] ListingPanel& listing() { return *m_listing; }
+    [[nodiscard]] FlowChartPanel& flowChart() { return *m_chart; }
     [[nodiscard]] BarsPanel& bars() { return *m_bars; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
@@ -70,6 +72,7 @@ private:
     MapPanel* m_map;
     StructureTree* m_tree;
     ListingPanel* m_listing;
+    FlowChartPanel* m_chart;
     BarsPanel* m_bars;
     WhyPanel* m_why;
     LossPanel* m_losses;

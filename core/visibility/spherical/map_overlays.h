@@ -15,10 +15,31 @@ namespace cullscope::spherical {
 [[nodiscard]] std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps);
 
 /// The contour bands on the bounding spheres: the circles between them, coloured by the verdict of the sectors of the band
-/// beyond; the circle at 90° with a wider line; the axis with its start (ring) and end (dot); and on both sides of the axis each
-/// band's S, drawn from the axis outward (Han & Hong 2008, Figures 5 and 6). For `spherical-horizon`, which has slopes, the
-/// height of the sight line there. Circles closer than a few pixels are left out.
+/// beyond; the circle at 90° with a wider line; and the axis with its start (ring) and end (dot) (Han & Hong 2008, Figure 5).
+/// Circles closer than a few pixels are left out.
 [[nodiscard]] std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps);
+
+/// S of each band in one sector, that in which the profile is best visible: from the axis, perpendicular to it, to the direction
+/// and distance of the cell that has the band's S, so that it begins at the foot of the surface that it is measured at (Han &
+/// Hong 2008, Figure 6); dashed where the band is hidden. The largest one is labelled with the letter S. The axis has its start
+/// (ring) and end (dot), and two thin lines on the sphere enclose the sector. For `spherical-horizon`, which has slopes, the
+/// heights of the sight lines with that slope.
+[[nodiscard]] std::vector<OverlayLines> sizeOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps);
+/// The colour of S, which no verdict has.
+[[nodiscard]] Vec3f sizeColour(const Vec3f& background);
+
+/// S of a band's sector with the place that it is measured at, in the map's coordinates.
+struct SizePlace {
+    uint32_t band = 0;
+    double size = 0.0;  ///< S
+    Vec3 foot{0.0};     ///< on the axis
+    Vec3 surface{0.0};  ///< at R of the cell's farthest centroid, in the direction of the cell's middle
+    bool drawn = true;
+};
+/// Of all bands of a sector that have an S, from near to far. The map must have bands by S.
+[[nodiscard]] std::vector<SizePlace> sizePlaces(const MapSnapshot& map, uint32_t sector);
+/// The sector of a map's bands that sizeOverlay shows.
+[[nodiscard]] uint32_t shownSector(const OverlayContext& context, const MapSnapshot& map);
 
 /// Whether the map has a kernel that can be drawn.
 [[nodiscard]] inline bool hasKernel(const MapSnapshot& map) {

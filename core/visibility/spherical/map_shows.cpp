@@ -16,6 +16,7 @@ namespace cullscope::spherical {
 namespace {
 
 constexpr const char* kBands = "bands";
+constexpr const char* kSizes = "sizes";
 constexpr const char* kBandCurve = "band-sizes";
 constexpr const char* kKernel = "kernel";
 constexpr const char* kIndexMap = "index-map";
@@ -44,13 +45,25 @@ Show boxesShow() {
 Show bandsShow() {
     Show show;
     show.id = kBands;
-    show.help = "contour bands of spherical strategies, with S";
+    show.help = "contour bands of spherical strategies";
     show.title = CULLSCOPE_TR("Contour bands");
     show.action = CULLSCOPE_TR("&Contour bands");
-    show.explanation = CULLSCOPE_TR(
-        "Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin "
-        "lines from the axis are each band's S");
+    show.explanation =
+        CULLSCOPE_TR("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view");
     show.legend = {TriangleState::Visible, TriangleState::Hidden};
+    show.absent = noBands;
+    return show;
+}
+
+Show sizesShow() {
+    Show show;
+    show.id = kSizes;
+    show.help = "S of the contour bands in one sector, each at the surface that it is measured at";
+    show.title = CULLSCOPE_TR("S of the contour bands");
+    show.action = CULLSCOPE_TR("&S of the contour bands");
+    show.explanation = CULLSCOPE_TR(
+        "Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured "
+        "at, dashed where the band is hidden");
     show.absent = noBands;
     return show;
 }
@@ -131,12 +144,15 @@ std::string walkLine(const CellWalk& walk) {
 
 }  // namespace
 
-std::vector<Show> showsOfBands() { return {treeShow(), boxesShow(), bandsShow(), bandCurveShow(), indexMapShow(false)}; }
+std::vector<Show> showsOfBands() {
+    return {treeShow(), boxesShow(), bandsShow(), sizesShow(), bandCurveShow(), indexMapShow(false)};
+}
 std::vector<Show> showsOfCells() { return {treeShow(), boxesShow(), kernelShow(), indexMapShow(true)}; }
 
 std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context, const StructureSnapshot& snapshot) {
     const std::vector<MapSnapshot>& maps = mapsOf(snapshot);
     if (id == kBands) return bandOverlay(context, maps);
+    if (id == kSizes) return sizeOverlay(context, maps);
     if (id == kKernel) return kernelOverlay(context, maps);
     if (id != kBoxesShow) return {};
     std::vector<OverlayLines> overlays{groupOverlay(context, snapshot)};
@@ -150,11 +166,11 @@ std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colour
     const std::vector<MapSnapshot>& maps = mapsOf(snapshot);
     const std::string option = commandLineOption(id);
     if (maps.empty()) {
-        const AbsentShow absent = id == kBands ? noBands : id == kKernel ? noCells : noMap;
+        const AbsentShow absent = id == kBands || id == kSizes ? noBands : id == kKernel ? noCells : noMap;
         return absent(option, std::string(strategy), strategiesShowing(id));
     }
     const MapSnapshot& shown = shownOf(maps);
-    if (id == kBands) {
+    if (id == kBands || id == kSizes) {
         if (std::ranges::any_of(maps, [](const MapSnapshot& map) { return map.decision.bands.has_value(); })) return std::nullopt;
         return bandsMissing(shown, option, scene);
     }

@@ -4,6 +4,7 @@
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/spherical/flow_chart.h"
 #include "core/visibility/spherical/mapped_culling.h"
 #include "core/visibility/spherical/readings.h"
 #include "core/visibility/spherical/recorded_decisions.h"
@@ -80,7 +81,9 @@ RegisteredStrategy spherical() {
     std::ranges::move(readingParameters(), std::back_inserter(info.parameters));
     info.needsEyePoint = true;
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
-    info.shows = withListing(showsOfBands(), bandsListing());
+    Show listing = bandsListing();
+    listing.chart = flowChart();
+    info.shows = withListing(showsOfBands(), std::move(listing));
     return {info, std::make_shared<Spherical>(info.id)};
 }
 

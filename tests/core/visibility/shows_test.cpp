@@ -50,8 +50,8 @@ TEST(Shows, ofEveryStrategyHaveWordsForMenusAndTwoWordsOrNoneForFiles) {
     std::vector<std::string> named;
     for (const Show* show : namedShows())
         if (!show->help.empty()) named.push_back(show->id);
-    EXPECT_EQ(std::vector<std::string>(named.begin(), named.begin() + 4),
-              (std::vector<std::string>{"verdicts", "wireframe", "boxes", "frustum"}));
+    EXPECT_EQ(std::vector<std::string>(named.begin(), named.begin() + 6),
+              (std::vector<std::string>{"verdicts", "wireframe", "ghost", "back-sides", "boxes", "frustum"}));
     EXPECT_EQ(named.back(), "spherical-model");
 }
 

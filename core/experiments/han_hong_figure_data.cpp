@@ -1,0 +1,136 @@
+#include "core/experiments/han_hong_figure_data.h"
+
+#include <fmt/format.h>
+
+#include "core/experiments/han_hong_rows.h"
+#include "core/geometry/angle.h"
+#include "core/visibility/spherical/contour_bands.h"
+#include "core/visibility/spherical/map_details.h"
+#include "core/visibility/spherical/map_overlays.h"
+
+namespace cullscope::han_hong {
+namespace {
+
+using namespace spherical;
+using Origin = ResultColumn::Origin;
+
+double degrees(double radians) { return radians / kTurn * 360.0; }
+
+/// Writes rows of one object in one view.
+class RowWriter {
+public:
+    RowWriter(ResultTable& table, const Row& common) : m_table(table), m_common(common) {}
+
+    void addRays(const SphericalDecision& decision) {
+        for (size_t i = 0; i < decision.rays.size(); ++i) {
+            const CornerRay& ray = decision.rays[i];
+            if (!ray.followed) continue;
+            Row row{{"number", double(i + 1)}, {"state", std::string(ray.hit ? "hit" : "miss")}};
+            if (ray.span) row["entry_r"] = glm::length(ray.ray.at(ray.span->from));
+            if (ray.hit) row["triangle"] = double(ray.hit->triangle);
+            const SphericalPoint point = sphericalPoint(ray.point);
+            row["r"] = point.radius;
+            addAngles(row, point.theta, point.phi);
+            add("ray", std::move(row));
+        }
+    }
+
+    void addRegion(const VisibleRegion& region, const SphericalGrid& grid) {
+        for (size_t i = 0; i < region.outline.size(); ++i) {
+            Row row{{"number", double(i + 1)}};
+            addAngles(row, region.outline[i].x, region.outline[i].y);
+            add("outline", std::move(row));
+        }
+        for (size_t i = 0; i < region.boxes.size(); ++i) {
+            const CellBox& box = region.boxes[i];
+            Row row{{"number", double(i + 1)},
+                    {"theta_to", degrees(grid.thetaOf(box.lastRow + 1))},
+                    {"phi_to", degrees(grid.phiOf(box.lastColumn + 1))}};
+            addAngles(row, grid.thetaOf(box.firstRow), grid.phiOf(box.firstColumn));
+            add("box", std::move(row));
+        }
+    }
+
+    void addBands(const MapSnapshot& map) {
+        const ContourBands& bands = *map.decision.bands;
+        for (uint32_t sector = 0; sector < bands.sectors; ++sector)
+            for (const SizePlace& place : sizePlaces(map, sector)) {
+                const BandSector& entry = bands.at(place.band, sector);
+                const SphericalPoint point = sphericalPoint(place.surface);
+                Row row{{"number", double(place.band + 1)},
+                        {"sector", double(sector + 1)},
+                        {"alpha", degrees(place.band * bands.width)},
+                        {"alpha_to", degrees((place.band + 1) * bands.width)},
+                        {"s", entry.size},
+                        {"largest_before", entry.horizon},
+                        {"foot", glm::dot(place.foot, bands.axis)},
+                        {"r", point.radius},
+                        {"state", std::string(entry.drawn    ? "drawn"
+                                              : entry.within ? "drawn within 90"
+                                                             : "hidden")}};
+                addAngles(row, point.theta, point.phi);
+                add("band", std::move(row));
+            }
+    }
+
+private:
+    static void addAngles(Row& row, double theta, double phi) {
+        row["theta"] = degrees(theta);
+        row["phi"] = degrees(phi);
+    }
+
+    void add(const char* kind, Row row) {
+        row.insert(m_common.begin(), m_common.end());
+        row["kind"] = std::string(kind);
+        m_table.addRow(row);
+    }
+
+    ResultTable& m_table;
+    const Row& m_common;
+};
+
+}  // namespace
+
+ResultTable figureTable(int number, const BuiltStrategy& strategy) {
+    ResultTable table;
+    table.experiment = fmt::format("figure-{}", number);
+    table.title = fmt::format("What Figure {} shows", number);
+    table.source = fmt::format("{}, Figure {}", kSource, number);
+    table.scene = "";
+    table.triangles = strategy.scene().triangleCount();
+    table.columns = {{"view", "view", Origin::Axis},
+                     {"case", "case", Origin::Measured},
+                     {"object", "object", Origin::Axis},
+                     {"kind", "kind", Origin::Axis},
+                     {"number", "number", Origin::Axis},
+                     {"sector", "sector", Origin::Axis},
+                     {"state", "state", Origin::Measured},
+                     {"r", "R", Origin::Measured, 5},
+                     {"theta", "θ, °", Origin::Measured, 3},
+                     {"phi", "φ, °", Origin::Measured, 3},
+                     {"theta_to", "θ to, °", Origin::Measured, 3},
+                     {"phi_to", "φ to, °", Origin::Measured, 3},
+                     {"entry_r", "R of the entry", Origin::Measured, 5},
+                     {"triangle", "triangle", Origin::Measured},
+                     {"alpha", "α, °", Origin::Axis, 2},
+                     {"alpha_to", "α to, °", Origin::Axis, 2},
+                     {"s", "S", Origin::Measured, 5},
+                     {"largest_before", "largest S before it", Origin::Measured, 5},
+                     {"foot", "foot on the axis", Origin::Measured, 5}};
+    return table;
+}
+
+void addFigureRows(ResultTable& table, size_t view, const BuiltStrategy& strategy, const FrameLog& log) {
+    const StructureSnapshot snapshot = strategy.snapshot(log);
+    for (const MapSnapshot& map : mapsOf(snapshot)) {
+        const SphericalDecision& decision = map.decision;
+        Row common{{"view", double(view)}, {"object", double(decision.instance)}};
+        if (decision.region) common["case"] = double(decision.region->caseNumber);
+        RowWriter writer(table, common);
+        writer.addRays(decision);
+        if (decision.region) writer.addRegion(*decision.region, map.maps->grid());
+        if (decision.bands && !decision.bands->slopes) writer.addBands(map);
+    }
+}
+
+}  // namespace cullscope::han_hong

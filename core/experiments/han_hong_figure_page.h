@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+
+#include "core/experiments/han_hong_figures.h"
+#include "core/gpu/renderer.h"
+#include "core/image/view_picture.h"
+
+namespace cullscope::han_hong {
+
+/// What all figures are made of: a page that grows downward, pictures of recorded frames, maps and legends, and the cameras.
+class FigurePage {
+public:
+    FigurePage(const FigureRequest& request, const PageLook& look, const Progress& progress);
+
+    static constexpr double kMargin = 12.0;  ///< pixels
+
+protected:
+    using Overlays = std::function<std::vector<OverlayLines>(const OverlayContext& context)>;
+
+    [[nodiscard]] const Scene& scene() const { return *m_request.scene; }
+    [[nodiscard]] const BuiltStrategy& strategy() const { return *m_strategy; }
+    [[nodiscard]] double inner() const { return m_request.width - 2 * kMargin; }
+    [[nodiscard]] Viewport pictureSize() const { return {int(inner()), int(inner()) * 5 / 8}; }
+    [[nodiscard]] std::string say(const char* text) const { return m_look.say({text}); }
+    [[nodiscard]] PlotColour stateColour(TriangleState state) const;
+    [[nodiscard]] PageLegendEntry stateEntry(TriangleState state) const;
+
+    /// A frame of the strategy, whose rays, regions and bands go into the figure's data. `view`: its number there.
+    [[nodiscard]] FrameLog frameOf(const View& culling, size_t view);
+    /// A frame in which all triangles are drawn.
+    [[nodiscard]] FrameLog frameOfAll(const View& culling);
+    /// A view of the path of a case, 320 × 240 as in section 3.
+    [[nodiscard]] View viewOfCase(int number) const;
+    /// All of the object in view, 640 × 480 as in section 3.
+    [[nodiscard]] View wholeView() const;
+    /// A camera beside a culling view, turned about the scene's middle by degrees to the side and up; `distance` in radii,
+    /// `towardsEye`: how far its target lies from the middle towards the culling eye, as a share of that distance.
+    [[nodiscard]] Camera beside(const View& culling, double turn, double rise, double distance, double towardsEye = 0.0) const;
+    /// Throws Error(Usage) where no object of the frame has contour bands.
+    void requireBands(const FrameLog& log) const;
+
+    /// A picture of a frame, with further lines.
+    [[nodiscard]] std::vector<uint8_t> drawn(const FrameLog& log, const View& viewing, const ViewLook& look,
+                                             const Overlays& more = {});
+    void addPicture(const Viewport& size, std::vector<uint8_t> rgba, double left = kMargin);
+    void addLegendBelow(const std::vector<PageLegendEntry>& entries, double pictureHeight);
+    void addMap(const FrameLog& log, const char* colouring);
+
+    const FigureRequest& m_request;
+    const PageLook& m_look;
+    Renderer m_renderer;
+    SceneBuffers m_buffers;
+    DrawStyle m_style;
+    Page m_page;
+    double m_bottom = kMargin;  ///< where the page ends so far
+    ResultTable m_data;
+
+private:
+    StructureStore m_structures;
+    BuiltStrategyPointer m_strategy;
+};
+
+}  // namespace cullscope::han_hong

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "core/experiments/result_table.h"
+#include "core/image/page_legend.h"
+#include "core/visibility/strategy_request.h"
+
+/// The figures of Han & Hong 2008, drawn of a scene's first object.
+namespace cullscope::han_hong {
+
+inline constexpr int kFigures = 8;
+
+/// What each figure shows, in the paper's words; marked for translation.
+[[nodiscard]] const char* figureTitle(int number);
+
+struct FigureRequest {
+    int number = 1;  ///< 1 to kFigures
+    ScenePointer scene;
+    StrategyRequest strategy;       ///< `spherical` with its parameters
+    size_t pose = 0;                ///< of the paths of the cases
+    std::optional<int> onlyCase{};  ///< of Figures 1, 3 and 4; none: 2 of Figures 1 and 3, all three of Figure 4
+    std::optional<size_t> step{};   ///< of Figure 1: how many of the frame's decisions have fallen; none: all
+    double width = 900.0;           ///< of the page, pixels
+};
+
+struct Figure {
+    Page page;
+    ResultTable data;  ///< rays with their hits, the region's outline, its boxes, and S of all bands and sectors
+};
+
+/// Draws a figure. A current OpenGL context is needed. Throws Error(Usage) where the frame has nothing that the figure shows,
+/// such as contour bands of an object that is not inside the frustum, Error(Interrupted) on a stop request.
+[[nodiscard]] Figure figure(const FigureRequest& request, const PageLook& look, const Progress& progress = {});
+
+}  // namespace cullscope::han_hong

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+
+#include "core/frame/words.h"
+#include "core/image/page.h"
+
+namespace cullscope {
+
+/// How a page is laid out and what language it speaks.
+struct PageLook {
+    PlotStyle style;
+    std::function<std::string(const Words& words)> say = [](const Words& words) { return words.english(); };
+};
+
+/// What a sign in a legend looks like.
+struct PageSign {
+    enum class Shape { Area, Frame, Line, Dashed, Dot, Ring, Cross, Letter };
+    Shape shape = Shape::Area;
+    PlotColour colour = 0;
+    double width = 1.5;  ///< of lines, pixels
+};
+struct PageLegendEntry {
+    PageSign sign;
+    std::string words;
+};
+
+/// 0xFFRRGGBB.
+[[nodiscard]] PlotColour plotColour(const Vec3f& colour);
+
+/// Writes a legend, its entries beside each other in as many rows as a width needs; returns where it ends, pixels from the top.
+double addLegend(Page& page, const std::vector<PageLegendEntry>& entries, const PlotPoint& corner, double width,
+                 const PlotStyle& style);
+
+/// Writes a text in as many lines as a width needs; returns where it ends, pixels from the top.
+double addText(Page& page, const std::string& words, const PlotPoint& corner, double width, const PlotStyle& style,
+               PlotColour colour, bool bold = false);
+
+}  // namespace cullscope
