@@ -78,6 +78,7 @@ int run(int argc, char** argv) {
     addPathCommand(app, context);
     addReproduceCommand(app, context);
     addSweepCommand(app, context);
+    addStabilityCommand(app, context);
     refuseEmptyValues(app);
     try {
         refuseEmptyAssignments(argc, argv);

@@ -116,6 +116,16 @@ CameraPath front(const Scene& scene, size_t count) {
     return path;
 }
 
+/// The cameras from which the scene is to be judged; without any, the one that shows all of it.
+CameraPath given(const Scene& scene, size_t /*count*/) {
+    const std::vector<Camera>& cameras = scene.remarks().cameras;
+    const Camera first = cameras.empty() ? overviewCamera(scene, 4.0 / 3.0) : cameras.front();
+    CameraPath path{"given", first.fovy, first.nearDistance, first.farDistance, {}};
+    if (cameras.empty()) path.poses.push_back({first.eye, first.target, first.up});
+    for (const Camera& camera : cameras) path.poses.push_back({camera.eye, camera.target, camera.up});
+    return path;
+}
+
 /// One of the three cases of Han & Hong 2008, Table 2.
 struct SphericalCase {
     const char* name;
@@ -206,7 +216,10 @@ const std::vector<Maker>& makers() {
         maker(kSphericalCases[1],
               CULLSCOPE_TR("12 close views of one clump of the spherical map, 11.4 % of the faces in the frustum")),
         maker(kSphericalCases[2],
-              CULLSCOPE_TR("12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum"))};
+              CULLSCOPE_TR("12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum")),
+        maker("given",
+              CULLSCOPE_TR("the poses that the scene gives, as those of the gallery do; of others one that shows it all"),
+              given)};
     return kMakers;
 }
 
@@ -261,6 +274,7 @@ Angle verticalField(Angle horizontal, const Viewport& size) {
 }
 
 std::string defaultPathName(const Scene& scene) {
+    if (!scene.remarks().cameras.empty()) return "given";
     if (isStoodIn(scene)) return "tour:16";
     return scene.instances().size() > 1 ? "walk:16" : "fibonacci:16";
 }

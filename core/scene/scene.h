@@ -33,6 +33,7 @@ struct NamedPlane {
 struct SceneRemarks {
     std::vector<NamedPlane> planes{};
     std::optional<Camera> camera{};     ///< from where it is to be seen
+    std::vector<Camera> cameras{};      ///< all from which it is to be judged, with one lens; empty for most scenes
     std::optional<UpAxis> up{};         ///< where its format says so, or its generator
     std::optional<UpAxis> guessedUp{};  ///< of a file whose format has no word for it (guessedUpAxis)
     ComponentsPointer components{};     ///< of which primitives its meshes consist; null where none are known

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/scene/gallery/gallery.h"
 #include "core/scene/polygon_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
 #include "core/scene/scene_generators.h"
@@ -46,9 +47,10 @@ const Generator* generatorOf(std::string_view specification) {
     const size_t colon = specification.find(':');
     const std::string_view id = specification.substr(0, colon);
     std::error_code ignored;
-    for (const Generator& generator : sceneGeneratorTable())
-        if (generator.info.id == id)
-            return colon == std::string_view::npos && std::filesystem::is_regular_file(id, ignored) ? nullptr : &generator;
+    for (const std::vector<Generator>* table : {&sceneGeneratorTable(), &galleryGenerators()})
+        for (const Generator& generator : *table)
+            if (generator.info.id == id)
+                return colon == std::string_view::npos && std::filesystem::is_regular_file(id, ignored) ? nullptr : &generator;
     return nullptr;
 }
 
