@@ -120,7 +120,7 @@ CameraPath front(const Scene& scene, size_t count) {
 CameraPath given(const Scene& scene, size_t /*count*/) {
     const std::vector<Camera>& cameras = scene.remarks().cameras;
     const Camera first = cameras.empty() ? overviewCamera(scene, 4.0 / 3.0) : cameras.front();
-    CameraPath path{"given", first.fovy, first.nearDistance, first.farDistance, {}};
+    CameraPath path{"given", first.fovy, first.nearDistance, first.farDistance, first.projection, first.height, {}};
     if (cameras.empty()) path.poses.push_back({first.eye, first.target, first.up});
     for (const Camera& camera : cameras) path.poses.push_back({camera.eye, camera.target, camera.up});
     return path;
