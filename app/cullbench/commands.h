@@ -89,6 +89,8 @@ struct RunOptions {
     [[nodiscard]] CameraPath viewsOf(const Scene& scene, const Progress& progress) const;
 };
 void addRunOptions(CLI::App& command, RunOptions& options);
+/// --no-limit: without the run of limitOfCulling(), and so without shares of the headroom.
+void addLimitOption(CLI::App& command, bool& noLimit);
 /// `--fovx`.
 CLI::Option* addFieldOption(CLI::App& command, double& fovx);
 /// `-s` and `-p`; `strategiesOf` reads them.

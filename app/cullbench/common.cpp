@@ -180,6 +180,10 @@ CLI::Option* addFieldOption(CLI::App& command, double& fovx) {
         ->check(numberBetween(0.001, 179.0));
 }
 
+void addLimitOption(CLI::App& command, bool& noLimit) {
+    command.add_flag("--no-limit", noLimit, "without the oracle, and so without shares of what culling could gain");
+}
+
 void addRunOptions(CLI::App& command, RunOptions& options) {
     command.add_option(
         "--path", options.path,

@@ -16,7 +16,7 @@ struct MeasureOptions {
     RunOptions run;
     std::string json, csv;
     std::vector<std::string> strategies, parameters;
-    bool noAccuracy = false;
+    bool noAccuracy = false, noLimit = false;
 };
 
 /// Of the scene's triangles, mean over the poses; empty for a strategy that leaves nothing out for a cause but the frustum, of
@@ -81,6 +81,14 @@ std::string withinSnapping(const RunMeasurement& run) {
 
 constexpr const char* kSameSides = "x same sides [95 %]";
 
+/// "58 % [55,61]", of the time that any culling could save; "-" where that is not known.
+std::string headroomText(const std::optional<RatioEstimate>& share) {
+    if (!share) return "-";
+    const auto percent = [](double value) { return fmt::format("{:.0f}", 100.0 * value); };
+    if (!share->hasInterval) return percent(share->ratio) + " %";
+    return fmt::format("{} % [{},{}]", percent(share->ratio), percent(share->ci95[0]), percent(share->ci95[1]));
+}
+
 std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", baselineOf(role).id); }
 
 void printTable(const MeasureResult& result, FILE* out) {
@@ -89,19 +97,24 @@ void printTable(const MeasureResult& result, FILE* out) {
         scene.instances().size(), result.runs.front().frames.size(), result.request.path.poses.size(), result.request.path.name,
         result.request.size.width, result.request.size.height);
     say(out, "{}{}\n", result.gl.renderer, result.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
-    say(out, "{:<24} {:<12} {:>9} {:>9} {:>19} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
-        kSameSides, ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled", "cull ms", "missed px",
-        "hole px");
-    for (const RunMeasurement& run : result.runs) {
-        if (run.frames.empty()) continue;
+    say(out, "{:<24} {:<12} {:>9} {:>9} {:>19} {:>15} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms",
+        "fps", kSameSides, "of the headroom", ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled",
+        "cull ms", "missed px", "hole px");
+    const auto row = [&](const RunMeasurement& run) {
+        if (run.frames.empty()) return;
         const Summary& s = run.summary;
         const std::optional<Losses> losses = run.losses();
-        say(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>19} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
+        say(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>19} {:>15} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
             strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
-            ratioText(s.ratioToOwnRule), ratioText(s.ratioToTriangles), ratioText(s.ratioToFrontFaces), s.culledFraction * 100,
-            s.cullShare * 1000.0 / s.fpsOverall, losses ? std::to_string(lostPixels(*losses)) : "-",
+            ratioText(s.ratioToOwnRule), headroomText(s.headroomShare), ratioText(s.ratioToTriangles),
+            ratioText(s.ratioToFrontFaces), s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
+            losses ? std::to_string(lostPixels(*losses)) : "-",
             losses ? std::to_string(lostPixels(*losses) == 0 ? 0 : losses->largestHolePixels) : "-");
-    }
+    };
+    std::ranges::for_each(result.runs, row);
+    const bool limitToo =
+        result.limit && std::ranges::find(result.runs, result.limit->strategy, &RunMeasurement::strategy) == result.runs.end();
+    if (limitToo) row(*result.limit);
     for (const RunMeasurement& run : result.runs)
         if (const std::string snapped = withinSnapping(run); !snapped.empty())
             say(out, "{}: {}\n", strategyLabel(run.strategy), snapped);
@@ -125,6 +138,7 @@ MeasureRequest requestOf(const MeasureOptions& options) {
     request.upload = options.run.uploadBy();
     request.timing.fixedRepetitions = options.run.repeat;
     request.accuracy = !options.noAccuracy;
+    request.limitToo = !options.noLimit && !options.noAccuracy;
     return request;
 }
 
@@ -182,7 +196,8 @@ void addMeasureCommand(CLI::App& app, Context& context) {
     addSceneOptions(*command, options->scene);
     addStrategyOptions(*command, options->strategies, options->parameters);
     addRunOptions(*command, options->run);
-    command->add_flag("--no-accuracy", options->noAccuracy, "time only");
+    addLimitOption(*command, options->noLimit);
+    command->add_flag("--no-accuracy", options->noAccuracy, "time only, without the limit of culling");
     command->add_option("--json", options->json, "result file; - is standard output");
     command->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");
     command->callback([options, &context] { run(*options, context); });

@@ -18,6 +18,7 @@ struct SweepOptions {
     RunOptions run;
     TableFiles files;
     std::vector<std::string> strategies, parameters, varied;
+    bool noLimit = false;
 };
 
 std::vector<std::string> valuesFromText(const std::string& text) {
@@ -87,6 +88,7 @@ void run(const SweepOptions& options, Context& context) {
     setting.size = options.run.viewport();
     setting.windows = options.run.windows;
     setting.upload = options.run.uploadBy();
+    setting.limitToo = !options.noLimit;
     checkTableFiles(options.files);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
@@ -112,6 +114,7 @@ void addSweepCommand(CLI::App& app, Context& context) {
     command->add_option("--vary", options->varied, "[A.]key=v1,v2,…; one a parameter (default: what the strategies declare)")
         ->allow_extra_args(false);
     addRunOptions(*command, options->run);
+    addLimitOption(*command, options->noLimit);
     command->add_option("--json", options->files.json, "result file; - is standard output");
     command->add_option("--csv", options->files.csv, "result file with one row a value; - is standard output");
     command->add_option("--svg", options->files.svg, "the plot of speed against losses; - is standard output");

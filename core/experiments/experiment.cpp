@@ -175,6 +175,7 @@ MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene,
     request.timing = setting.timing;
     if (repetitions > 0) request.timing.fixedRepetitions = repetitions;
     request.baselinesToo = setting.baselinesToo;
+    request.limitToo = setting.limitToo;
     request.refusalsAreResults = setting.refusalsAreResults;
     request.secondsOfAStrategy = setting.secondsOfAStrategy;
     return request;

@@ -46,6 +46,7 @@ struct Setting {
     Upload upload = Upload::Vbo;
     TimingProtocol timing{};                                              ///< but for the repetitions where the user states them
     bool baselinesToo = false;                                            ///< MeasureRequest
+    bool limitToo = false;                                                ///< MeasureRequest
     bool refusalsAreResults = false;                                      ///< MeasureRequest
     double secondsOfAStrategy = std::numeric_limits<double>::infinity();  ///< MeasureRequest
     Row labels{};                                                         ///< of each of its rows

@@ -75,6 +75,8 @@ Json summaryJson(const Summary& summary) {
             {"missed_pixel_rate", summary.missedPixelRate ? Json(*summary.missedPixelRate) : Json(nullptr)},
             {"ratio_to_same_sides", summary.ratioToOwnRule.ratio},
             {"ratio_to_same_sides_ci95", intervalJson(summary.ratioToOwnRule)},
+            {"headroom_share", summary.headroomShare ? Json(summary.headroomShare->ratio) : Json(nullptr)},
+            {"headroom_share_ci95", summary.headroomShare ? intervalJson(*summary.headroomShare) : Json(nullptr)},
             {"ratio_to_all", summary.ratioToTriangles.ratio},
             {"ratio_to_all_ci95", intervalJson(summary.ratioToTriangles)},
             {"ratio_to_backface", summary.ratioToFrontFaces.ratio},
@@ -121,6 +123,14 @@ void appendRow(std::string& csv, const Json& head, const Json& frame, bool names
     csv += '\n';
 }
 
+Json runJson(const RunMeasurement& run, const MeasureRequest& request) {
+    Json json = runHead(run, request);
+    json["frames"] = Json::array();
+    for (const FrameMeasurement& frame : run.frames) json["frames"].push_back(frameJson(frame));
+    json["summary"] = summaryJson(run.summary);
+    return json;
+}
+
 }  // namespace
 
 std::string resultJson(const MeasureResult& result) {
@@ -140,13 +150,8 @@ std::string resultJson(const MeasureResult& result) {
               {"path", result.request.path.name},
               {"interrupted", result.interrupted},
               {"runs", Json::array()}};
-    for (const RunMeasurement& run : result.runs) {
-        Json runJson = runHead(run, result.request);
-        runJson["frames"] = Json::array();
-        for (const FrameMeasurement& frame : run.frames) runJson["frames"].push_back(frameJson(frame));
-        runJson["summary"] = summaryJson(run.summary);
-        json["runs"].push_back(std::move(runJson));
-    }
+    for (const RunMeasurement& run : result.runs) json["runs"].push_back(runJson(run, result.request));
+    json["limit"] = result.limit ? runJson(*result.limit, result.request) : Json(nullptr);
     return plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 

@@ -33,6 +33,7 @@ Row rowCells(const Setting& setting, const RunMeasurement& run) {
     cells["fps_mean"] = summary.fpsMean;
     cells["ratio_to_same_sides"] = summary.ratioToOwnRule;
     cells["same_sides_baseline"] = strategyText(run.ownRule);
+    if (summary.headroomShare) cells["headroom_share"] = *summary.headroomShare;
     cells["ratio_to_all"] = summary.ratioToTriangles;
     cells["ratio_to_backface"] = summary.ratioToFrontFaces;
     cells["speedup_vs_all"] = summary.speedupVsTriangles;

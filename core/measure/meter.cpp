@@ -36,6 +36,21 @@ void addOwnRules(std::vector<Contestant>& strategies, const ScenePointer& scene,
     }
 }
 
+StrategyRequest limitAtDefaults() {
+    const StrategyInfo& info = limitOfCulling();
+    return {info.id, ParameterSet(info.parameters)};
+}
+
+/// Adds the limit of culling, where it is not there yet and this OpenGL can run it.
+void addLimit(std::vector<Contestant>& strategies, const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
+              const Progress& progress) {
+    const StrategyRequest limit = limitAtDefaults();
+    if (std::ranges::find(strategies, limit, &Contestant::request) != strategies.end()) return;
+    if (unavailable(limitOfCulling(), gl)) return;
+    strategies.push_back(
+        {limit, buildStrategy(strategyOf(limit), limit.parameters, request.scene, structures, progress), request.baselinesToo});
+}
+
 }  // namespace
 
 std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
@@ -89,6 +104,7 @@ Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, St
         baseline.askedFor = request.baselinesToo;
         built.strategies.push_back(std::move(baseline));
     }
+    if (request.limitToo) addLimit(built.strategies, request, gl, structures, {nullptr, progress.stop});
     addOwnRules(built.strategies, request.scene, structures, {nullptr, progress.stop});
     return built;
 }
@@ -103,6 +119,9 @@ public:
         if (request.baselinesToo)
             for (StrategyRequest& baseline : missingBaselines(request.strategies))
                 m_request.strategies.push_back(std::move(baseline));
+        if (request.limitToo && request.baselinesToo &&
+            std::ranges::find(request.strategies, limitAtDefaults()) == request.strategies.end())
+            m_request.strategies.push_back(limitAtDefaults());
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
         for (const Contestant& contestant : m_contestants.strategies) {
             m_memories.emplace_back();
@@ -138,9 +157,13 @@ public:
         result.refused = m_contestants.refused;
         result.interrupted = !complete();
         for (size_t i = 0; i < m_runs.size(); ++i) {
-            if (!m_contestants.strategies[i].askedFor) continue;
-            result.runs.push_back(m_runs[i]);
-            result.runs.back().summary = summaryOf(m_runs[i], m_runs, *m_request.scene);
+            const bool askedFor = m_contestants.strategies[i].askedFor;
+            const bool isLimit = m_request.limitToo && m_runs[i].strategy == limitAtDefaults();
+            if (!askedFor && !isLimit) continue;
+            RunMeasurement run = m_runs[i];
+            run.summary = summaryOf(m_runs[i], m_runs, *m_request.scene);
+            if (isLimit) result.limit = run;
+            if (askedFor) result.runs.push_back(std::move(run));
         }
         return result;
     }

@@ -29,6 +29,9 @@ struct MeasureRequest {
     bool accuracy = true;
     bool leaveOutUnavailable = false;  ///< strategies that this OpenGL cannot run are left out; false: they fail with an error
     bool baselinesToo = false;         ///< baselines that are not among the strategies have runs, behind the others
+    /// limitOfCulling() is measured, too: every run then has a share of what can be gained. With `baselinesToo` it has a run
+    /// behind the others.
+    bool limitToo = false;
     /// What a strategy throws over the scene, a view or a lack of OpenGL stands in the result (`refused`), its run ends, and the
     /// others go on; false: it ends the measurement.
     bool refusalsAreResults = false;
@@ -53,6 +56,8 @@ struct Summary {
     double culledFraction = 0.0;            ///< 1 less the share of the scene's triangles submitted, mean over poses
     std::optional<double> missedPixelRate;  ///< missed / covered, over all poses
     RatioEstimate ratioToOwnRule;  ///< ratioOver the poses, to the baseline with the same facing rule: what "×" says everywhere
+    /// shareOfHeadroom: of the time that any culling could save, by the run of limitOfCulling(); none without such a run.
+    std::optional<RatioEstimate> headroomShare;
     RatioEstimate ratioToTriangles, ratioToFrontFaces;      ///< the same to the baselines, whatever sides they draw
     RatioEstimate speedupVsTriangles, speedupVsFrontFaces;  ///< meanOfRatios over the poses, which papers quote
 };
@@ -84,9 +89,10 @@ struct MeasureResult {
     MeasureRequest request;
     GlInfo gl;
     std::vector<RunMeasurement> runs;
-    std::vector<Refusal> refused;  ///< with MeasureRequest::refusalsAreResults: those that could not be built have no run
-    std::vector<Message> leftOut;  ///< why requested strategies have no run
-    bool interrupted = false;      ///< stopped early: the runs contain the poses measured until then
+    std::optional<RunMeasurement> limit;  ///< that of limitOfCulling(), where it was measured
+    std::vector<Refusal> refused;         ///< with MeasureRequest::refusalsAreResults: those that could not be built have no run
+    std::vector<Message> leftOut;         ///< why requested strategies have no run
+    bool interrupted = false;             ///< stopped early: the runs contain the poses measured until then
 };
 
 /// A strategy of a measurement, built.

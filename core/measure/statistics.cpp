@@ -85,6 +85,35 @@ RatioEstimate meanOfRatios(const std::vector<double>& ratios) {
     return {std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(n), middle95(means), n > 1};
 }
 
+std::optional<RatioEstimate> shareOfHeadroom(std::span<const TimesBesideLimit> views) {
+    if (views.empty()) return std::nullopt;
+    const auto add = [](TimesBesideLimit& sum, const TimesBesideLimit& one) {
+        sum.baseline += one.baseline;
+        sum.subject += one.subject;
+        sum.baselineOfLimit += one.baselineOfLimit;
+        sum.limit += one.limit;
+    };
+    // None: the limit saves nothing.
+    const auto shareOf = [](const TimesBesideLimit& sum) -> std::optional<double> {
+        if (!(sum.limit < sum.baselineOfLimit) || !(sum.baseline > 0.0)) return std::nullopt;
+        return (1.0 - sum.subject / sum.baseline) / (1.0 - sum.limit / sum.baselineOfLimit);
+    };
+    TimesBesideLimit total;
+    for (const TimesBesideLimit& view : views) add(total, view);
+    const std::optional<double> share = shareOf(total);
+    if (!share) return std::nullopt;
+    Random random(1);
+    std::vector<double> shares;
+    for (size_t i = 0; i < kResamples; ++i) {
+        TimesBesideLimit sum;
+        for (size_t k = 0; k < views.size(); ++k) add(sum, views[random.bits() % views.size()]);
+        if (const std::optional<double> one = shareOf(sum)) shares.push_back(*one);
+    }
+    constexpr double kAgreeing = 0.975;
+    if (double(shares.size()) < kAgreeing * double(kResamples)) return std::nullopt;
+    return RatioEstimate{*share, middle95(shares), views.size() > 1};
+}
+
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
     std::sort(values.begin(), values.end());

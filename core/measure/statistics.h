@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,17 @@ struct ViewTimes {
 /// The mean over the views of the ratio of their frame times, as papers quote it; nearly empty views rule it. The interval is a
 /// bootstrap over the views (percentile method, 2000 resamples, fixed seed); a single view has none.
 [[nodiscard]] RatioEstimate meanOfRatios(const std::vector<double>& ratios);
+
+/// The times of one view, each a median of its repetitions: of something and of the limit, and of what each is compared with.
+struct TimesBesideLimit {
+    double baseline = 0.0, subject = 0.0, baselineOfLimit = 0.0, limit = 0.0;
+};
+
+/// Which share of the time that could be saved is saved, over all views: (1 − subject ÷ baseline) ÷ (1 − limit ÷ its baseline).
+/// 1: as much as the limit; below 0: slower than the baseline. The interval is a bootstrap over the views (percentile method,
+/// 2000 resamples, fixed seed); a single view has none. None where so little can be saved that resamples of the views do not
+/// agree that there is something.
+[[nodiscard]] std::optional<RatioEstimate> shareOfHeadroom(std::span<const TimesBesideLimit> views);
 
 /// The quantile of the values at a share in [0, 1], interpolated linearly between ranks; 0 for no values.
 [[nodiscard]] double quantile(std::vector<double> values, double share);

@@ -25,6 +25,27 @@ void compareTo(const StrategyRequest& baseline, const RunMeasurement& run, const
     ofTotals = ratioOver(found->frames, run.frames);
 }
 
+const RunMeasurement* runOf(const std::vector<RunMeasurement>& runs, const StrategyRequest& strategy) {
+    const auto found = std::ranges::find(runs, strategy, &RunMeasurement::strategy);
+    return found == runs.end() ? nullptr : &*found;
+}
+
+/// Over the poses that all four have.
+std::optional<RatioEstimate> headroomShareOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs) {
+    const StrategyInfo& info = limitOfCulling();
+    const RunMeasurement* const limit = runOf(runs, {info.id, ParameterSet(info.parameters)});
+    const RunMeasurement* const baseline = runOf(runs, run.ownRule);
+    if (limit == nullptr || baseline == nullptr) return std::nullopt;
+    const RunMeasurement* const ofLimit = runOf(runs, limit->ownRule);
+    if (ofLimit == nullptr) return std::nullopt;
+    std::vector<TimesBesideLimit> views;
+    const size_t poses = std::min({run.frames.size(), limit->frames.size(), baseline->frames.size(), ofLimit->frames.size()});
+    for (size_t i = 0; i < poses; ++i)
+        views.push_back({baseline->frames[i].frameMilliseconds, run.frames[i].frameMilliseconds,
+                         ofLimit->frames[i].frameMilliseconds, limit->frames[i].frameMilliseconds});
+    return shareOfHeadroom(views);
+}
+
 }  // namespace
 
 Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, const Scene& scene) {
@@ -54,6 +75,7 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     compareTo(baselineAtDefaults(BaselineRole::FrontFaces), run, runs, summary.ratioToFrontFaces, summary.speedupVsFrontFaces);
     RatioEstimate ofPapers;
     compareTo(run.ownRule, run, runs, summary.ratioToOwnRule, ofPapers);
+    summary.headroomShare = headroomShareOf(run, runs);
     return summary;
 }
 

@@ -55,6 +55,10 @@ const StrategyInfo& baselineOf(BaselineRole role) {
     return std::ranges::find(strategies(), role, [](const RegisteredStrategy& strategy) { return strategy.info.baseline; })->info;
 }
 
+const StrategyInfo& limitOfCulling() {
+    return std::ranges::find_if(strategies(), [](const RegisteredStrategy& strategy) { return strategy.info.limit; })->info;
+}
+
 std::vector<const StrategyInfo*> baselines() {
     std::vector<const StrategyInfo*> result;
     for (const RegisteredStrategy& strategy : strategies())

@@ -21,6 +21,8 @@ struct RegisteredStrategy {
 [[nodiscard]] std::vector<const StrategyInfo*> baselines();
 /// The strategy with a role; not BaselineRole::None.
 [[nodiscard]] const StrategyInfo& baselineOf(BaselineRole role);
+/// The strategy that says what any culling could gain at most.
+[[nodiscard]] const StrategyInfo& limitOfCulling();
 
 /// What strategies declare to show, each id once, in the order of the registry. Where several strategies declare it, as the one
 /// with the most colourings does.

@@ -69,6 +69,7 @@ struct StrategyInfo {
     GlRequirement glRequirement = GlRequirement::None;
     bool remembers = false;  ///< what it draws depends on the frames before, by its ViewState: a frame is judged with that memory
     BaselineRole baseline = BaselineRole::None;
+    bool limit = false;  ///< it knows beforehand what is visible: its speed is what any culling could gain at most
     std::vector<DeclaredSweep> sweeps{};
     std::vector<Show> shows{};
     /// With CompatibilityProfile: why it cannot be used with an OpenGL that gives none, and what to use instead. One English

@@ -28,13 +28,30 @@ template <typename Condition>
 const RunFigures* fastest(const std::vector<RunFigures>& runs, const Condition& condition) {
     const RunFigures* best = nullptr;
     for (const RunFigures& run : runs)
-        if (!run.baseline && condition(run) && (!best || run.speedup.ratio > best->speedup.ratio)) best = &run;
+        if (!run.baseline && !run.limit && condition(run) && (!best || run.speedup.ratio > best->speedup.ratio)) best = &run;
     return best;
 }
 
 QString worstOf(const RunFigures& run) {
     const auto worst = std::ranges::max_element(run.poses, {}, &PoseFigures::missedPixels);
     return worst == run.poses.end() ? QString() : QString::number(worst->pose);
+}
+
+/// What any culling could gain, and which share of it the fastest strategy without loss has; empty: it was not measured.
+QString headroomOf(const std::vector<RunFigures>& runs, const RunFigures* safe) {
+    const auto limit = std::ranges::find(runs, true, &RunFigures::limit);
+    if (limit == runs.end()) return {};
+    if (!surelyFaster(limit->speedup))
+        return Conclusion::tr(
+            "Drawing everything is best here: not even exactly the visible triangles, known beforehand, are "
+            "surely faster.");
+    const QString most =
+        Conclusion::tr("Any culling could gain at most %1 here: so much faster are exactly the visible triangles.")
+            .arg(speedOf(limit->speedup));
+    if (!safe || !safe->headroomShare) return most;
+    return most + QLatin1Char(' ') +
+           Conclusion::tr("%1 saves %2 % of the time that can be saved.", "a strategy")
+               .arg(safe->label, QLocale().toString(100.0 * safe->headroomShare->ratio, 'f', 0));
 }
 
 }  // namespace
@@ -55,6 +72,7 @@ QStringList conclusionsOf(const std::vector<RunFigures>& runs) {
     if (lossy && surelyFaster(lossy->speedup) && (!safe || lossy->speedup.ratio > safe->speedup.ratio))
         sentences << Conclusion::tr("Faster, with losses: %1, %2; it loses %3 of a million pixels, most of them at pose %4.")
                          .arg(lossy->label, speedOf(lossy->speedup), ppmText(*lossy->missedPpm), worstOf(*lossy));
+    if (const QString headroom = headroomOf(runs, safe); !headroom.isEmpty()) sentences << headroom;
     for (const RunFigures& run : runs)
         if (run.promise != Promise::Approximate && run.missedPpm.value_or(0.0) > 0.0)
             sentences << Conclusion::tr("%1 promises to lose nothing and lost %2 of a million pixels: the promise is broken.")

@@ -74,6 +74,7 @@ ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     ResultRow row = emptyRow(strategy, promiseOf(measured.words("promise")));
     row.speedup = measured.estimate("ratio_to_same_sides");
     row.baseline = measured.words("same_sides_baseline").value_or("");
+    row.headroomShare = measured.estimate("headroom_share");
     row.speedupOverFronts = measured.estimate("ratio_to_backface");
     row.speedupOverTriangles = measured.estimate("ratio_to_all");
     row.fpsOverall = measured.number("fps_overall");
@@ -93,6 +94,13 @@ QString speed(const std::optional<RatioEstimate>& estimate) {
     if (!estimate) return {};
     if (!estimate->hasInterval) return QStringLiteral("×%1").arg(ratio(estimate->ratio));
     return QStringLiteral("×%1 [%2, %3]").arg(ratio(estimate->ratio), ratio(estimate->ci95[0]), ratio(estimate->ci95[1]));
+}
+
+QString shareText(const std::optional<RatioEstimate>& share) {
+    if (!share) return {};
+    const auto whole = [](double value) { return QLocale().toString(100.0 * value, 'f', 0); };
+    if (!share->hasInterval) return QStringLiteral("%1 %").arg(whole(share->ratio));
+    return QStringLiteral("%1 % [%2, %3]").arg(whole(share->ratio), whole(share->ci95[0]), whole(share->ci95[1]));
 }
 
 QString percent(const std::optional<double>& share) { return share ? percentText(*share) + QStringLiteral(" %") : QString(); }
@@ -159,6 +167,8 @@ QString ResultTableModel::title(int column) {
             return tr("Strategy");
         case Speedup:
             return tr("Speed, same\nsides [95 %]");
+        case Headroom:
+            return tr("Of the headroom\n[95 %]");
         case SpeedupOverTriangles:
             return tr("Speed against\n%1 [95 %]", "a strategy").arg(baselineWord(BaselineRole::Triangles));
         case Fps:
@@ -190,6 +200,10 @@ QString ResultTableModel::explanation(int column) {
             return tr(
                 "Total time of the baseline that draws the same sides over the views divided by this strategy's, with its "
                 "95 % interval");
+        case Headroom:
+            return tr(
+                "Share of the time saved that any culling could save: what the oracle saves, which draws exactly the visible "
+                "triangles and knows them beforehand. Both against the baseline that draws the same sides");
         case SpeedupOverTriangles:
             return tr("Total time of %1 over the views divided by this strategy's, with its 95 % interval", "a strategy")
                 .arg(baselineWord(BaselineRole::Triangles));
@@ -239,6 +253,8 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
             return row.name;
         case Speedup:
             return speed(row.speedup);
+        case Headroom:
+            return shareText(row.headroomShare);
         case SpeedupOverTriangles:
             return speed(row.speedupOverTriangles);
         case Fps:

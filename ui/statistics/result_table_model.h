@@ -26,6 +26,7 @@ struct ResultRow {
     bool promiseBroken = false;
     std::optional<RatioEstimate> speedup;                                  ///< over the baseline that draws the same sides,
     std::string baseline;                                                  ///< which is this one
+    std::optional<RatioEstimate> headroomShare;                            ///< of the time that any culling could save
     std::optional<RatioEstimate> speedupOverTriangles, speedupOverFronts;  ///< over `all` and over `backface`
     std::optional<double> fpsOverall, fpsMin, fpsMax;
     std::optional<double> cullShare, submittedShare;
@@ -49,6 +50,7 @@ public:
     enum Column {
         Name,
         Speedup,
+        Headroom,
         SpeedupOverTriangles,
         Fps,
         FpsRange,

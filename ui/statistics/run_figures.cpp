@@ -48,6 +48,8 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         figures.id = QString::fromStdString(run.strategy.id);
         figures.role = findStrategy(run.strategy.id).info.baseline;
         figures.baseline = figures.role != BaselineRole::None;
+        figures.limit = findStrategy(run.strategy.id).info.limit;
+        figures.headroomShare = run.summary.headroomShare;
         figures.parameters = run.strategy.parameters;
         figures.promise = run.promise;
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;

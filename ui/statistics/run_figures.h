@@ -24,13 +24,15 @@ struct RunFigures {
     QString label;  ///< the strategy's id, and its parameters where they differ from the defaults
     QString id;
     bool baseline = false;  ///< the others are compared with it
+    bool limit = false;     ///< what any culling could gain at most
     BaselineRole role = BaselineRole::None;
     ParameterSet parameters;
     Promise promise = Promise::Approximate;
-    double frameMilliseconds = 0.0;   ///< mean over poses
-    double cullMilliseconds = 0.0;    ///< mean over poses
-    RatioEstimate speedup;            ///< over the baseline with the same facing rule
-    std::optional<double> missedPpm;  ///< over all poses
+    double frameMilliseconds = 0.0;              ///< mean over poses
+    double cullMilliseconds = 0.0;               ///< mean over poses
+    RatioEstimate speedup;                       ///< over the baseline with the same facing rule
+    std::optional<RatioEstimate> headroomShare;  ///< Summary
+    std::optional<double> missedPpm;             ///< over all poses
     std::vector<PoseFigures> poses;
 };
 

@@ -101,6 +101,7 @@ void Experiments::start(const ExperimentSettings& settings) {
     setting.size = settings.size;
     // The time bars and the table show every strategy beside the baselines.
     setting.baselinesToo = true;
+    setting.limitToo = true;
     for (const StrategyRequest& strategy : requestsOf(setting))
         if (const std::optional<Message> why = m_session.unavailable(findStrategy(strategy.id).info))
             return m_session.raise(Severity::Error, *why);

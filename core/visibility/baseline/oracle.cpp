@@ -1,7 +1,10 @@
 #include "core/visibility/baseline/oracle.h"
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
@@ -9,6 +12,23 @@
 
 namespace cullscope::baseline {
 namespace {
+
+/// What the exact picture of the last view showed: of the same view it is not asked for again.
+struct Known : ViewState {
+    std::optional<Camera> camera;
+    Viewport size;
+    std::vector<uint32_t> visible;  ///< ascending
+
+    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<Known>(*this); }
+    const std::vector<uint32_t>& of(FrameContext& frame) {
+        const View& view = frame.view();
+        if (camera == view.camera() && size == view.viewport()) return visible;
+        visible = frame.visibleTriangles();
+        camera = view.camera();
+        size = view.viewport();
+        return visible;
+    }
+};
 
 enum class OracleLine : uint8_t { Known = 1, Objects, Draw, LeaveOut };
 
@@ -20,15 +40,17 @@ std::span<const uint32_t> ofObject(const Scene& scene, uint32_t instance, std::s
     return {from, to};
 }
 
-class Oracle final : public StrategyWith<Structure> {
+class Oracle final : public StrategyWith<Structure, Known> {
+public:
+    [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<Known>(); }
+
 protected:
     void fill(Structure& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
         structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
     }
-    void decide(FrameContext& frame, const Structure& structure, ViewState& /*state*/,
-                const ParameterSet& parameters) const override {
+    void decide(FrameContext& frame, const Structure& structure, Known& known, const ParameterSet& parameters) const override {
         const Scene& scene = structure.scene();
-        const std::vector<uint32_t> visible = frame.visibleTriangles();
+        const std::vector<uint32_t>& visible = known.of(frame);
         sayBegin(frame, uint8_t(OracleLine::Known),
                  CULLSCOPE_TR("The exact picture shows %1 triangles. They are known beforehand, and in no time of the frame."),
                  {double(visible.size())});
@@ -87,6 +109,7 @@ RegisteredStrategy oracle() {
                                             {{"triangles", CULLSCOPE_TR("the visible triangles")},
                                              {"objects", CULLSCOPE_TR("whole objects of which anything is visible")}})},
         GlRequirement::Context};
+    info.limit = true;
     info.shows = {listingShow({{CULLSCOPE_TR("know what is visible (not timed)"), 0},
                                {CULLSCOPE_TR("for each object"), 0},
                                {CULLSCOPE_TR("draw what is visible of it"), 1},

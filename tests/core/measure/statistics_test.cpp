@@ -168,5 +168,40 @@ TEST(RatioOfTotals, intervalHoldsTheKnownRatioInNineOfTenExperiments) {
     EXPECT_GE(coverage(1, 15, 0.0), 0.9) << "one view";
 }
 
+TEST(HeadroomShare, isOneForTheLimitZeroForTheBaselineAndBelowForWhatIsSlower) {
+    std::vector<TimesBesideLimit> views;
+    for (int i = 0; i < 8; ++i) views.push_back({10.0 + i, 0.0, 10.0 + i, 0.2 * (10.0 + i)});
+    const auto with = [&](double share) {
+        for (TimesBesideLimit& view : views) view.subject = view.baseline - share * (view.baseline - view.limit);
+        return shareOfHeadroom(views);
+    };
+    for (const double share : {1.0, 0.5, 0.0, -0.25}) {
+        const std::optional<RatioEstimate> found = with(share);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->ratio, share, 1e-12);
+        EXPECT_NEAR(found->ci95[0], share, 1e-12);
+        EXPECT_NEAR(found->ci95[1], share, 1e-12);
+    }
+}
+
+TEST(HeadroomShare, holdsEachAgainstItsOwnBaseline) {
+    // Saves half of its baseline's time, where the limit saves three quarters of its own.
+    const std::vector<TimesBesideLimit> views{{8.0, 4.0, 20.0, 5.0}, {2.0, 1.0, 4.0, 1.0}};
+    const std::optional<RatioEstimate> share = shareOfHeadroom(views);
+    ASSERT_TRUE(share);
+    EXPECT_NEAR(share->ratio, 0.5 / 0.75, 1e-12);
+    EXPECT_TRUE(share->hasInterval);
+    EXPECT_FALSE(shareOfHeadroom(std::span(views).first(1))->hasInterval);
+}
+
+TEST(HeadroomShare, isNotStatedWhereNothingCanBeSavedForCertain) {
+    EXPECT_FALSE(shareOfHeadroom({}));
+    const std::vector<TimesBesideLimit> none{{8.0, 8.0, 8.0, 8.0}, {8.0, 8.0, 8.0, 9.0}};
+    EXPECT_FALSE(shareOfHeadroom(none));
+    // The totals say that a thousandth can be saved; half of the resamples say that nothing can.
+    const std::vector<TimesBesideLimit> unsure{{10.0, 10.0, 10.0, 11.98}, {10.0, 10.0, 10.0, 8.0}};
+    EXPECT_FALSE(shareOfHeadroom(unsure));
+}
+
 }  // namespace
 }  // namespace cullscope::statistics_test
