@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/image/view_picture.h"
+#include "core/scene/section.h"
 
 namespace cullscope::cullbench {
 

@@ -47,11 +47,13 @@ Frustum shownFrustum(const View& culling, const Scene& scene) {
 }
 
 std::vector<OverlayLines> frustumOverlay(const OverlayContext& context, const View& culling) {
+    const OverlayLines volume{frustumLines(culling, context.scene, context.contrast), {kFrustumWidth, true}, true};
+    if (culling.frustum().parallel()) return {volume};
     OverlayLines eye{{}, {kEyeWidth, false}, true};
     // A dot in the ring; none where the eye lies behind the viewing camera.
     addMark(eye.lines, context, culling.eye(), kEyeRadius, MarkShape::Ring, context.contrast);
     if (!eye.lines.empty()) eye.lines.push_back({culling.eye(), culling.eye(), context.contrast});
-    return {{frustumLines(culling, context.scene, context.contrast), {kFrustumWidth, true}, true}, std::move(eye)};
+    return {volume, std::move(eye)};
 }
 
 }  // namespace cullscope

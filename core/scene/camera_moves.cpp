@@ -211,7 +211,9 @@ Camera filledBy(const Camera& camera, std::span<const Vec3> points, const Sphere
 Camera observerCamera(const View& culling, const Sphere& scene, UpAxis up, double aspect) {
     const Camera& camera = culling.camera();
     const Camera lens{camera.eye, camera.target, axisVector(up)};
-    std::vector<Vec3> corners{camera.eye};
+    // A parallel view has no eye that could be seen.
+    std::vector<Vec3> corners;
+    if (camera.projection == ProjectionKind::Perspective) corners.push_back(camera.eye);
     // What lies beyond the scene, as of a lens with a far plane of its own, is left out; and as the corners of a very wide
     // frustum lie far beside everything, only its beginning is framed then.
     Frustum frustum = culling.frustum();

@@ -23,6 +23,8 @@ inline QJsonObject measuredByCullbench(const PictureSubject& picture, const QStr
                                          picture.culling.fovy,
                                          picture.culling.nearDistance,
                                          picture.culling.farDistance,
+                                         picture.culling.projection,
+                                         picture.culling.height,
                                          {{picture.culling.eye, picture.culling.target, picture.culling.up}}});
     QProcess cullbench;
     cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH),

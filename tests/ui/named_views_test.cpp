@@ -72,7 +72,7 @@ TEST_F(NamedViews, anObserverOfAParallelViewSeesAllOfItsVolumeInPerspective) {
     const Camera watching = session.viewingCamera(1);
     EXPECT_EQ(watching.projection, ProjectionKind::Perspective);
     const View view(watching, {400, 300});
-    for (const Vec3& corner : session.cullingView(1).frustum().corners()) {
+    for (const Vec3& corner : View(session.cullingCamera(1), {400, 300}).frustum().corners()) {
         const Vec4 clip = view.clipFromEyeRelative() * Vec4(session.camera().eye + corner - watching.eye, 1.0);
         EXPECT_GT(clip.w, 0.0);
         EXPECT_LE(std::abs(clip.x), 1.001 * clip.w);
