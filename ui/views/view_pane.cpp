@@ -127,6 +127,8 @@ void ViewPane::refreshChip() {
     m_chip->setText(text);
     m_chip->setVisible(!text.isEmpty());
     const int room = m_picture->width() - 2 * kChipInset;
+    // What a wrapped text would like to have is less than its line needs.
+    m_chip->setWordWrap(false);
     m_chip->setWordWrap(m_chip->sizeHint().width() > room);
     m_chip->resize(m_chip->wordWrap() ? QSize(room, m_chip->heightForWidth(room)) : m_chip->sizeHint());
     m_chip->move(chipPlace());
