@@ -41,7 +41,7 @@ void checkFiles(const FigureOptions& options) {
 
 void run(const FigureOptions& options, const Context& context) {
     checkFiles(options);
-    const std::vector<StrategyRequest> strategies = strategiesOf({"spherical"}, options.parameters);
+    const std::vector<StrategyRequest> strategies = strategiesOf({han_hong::kShownStrategy}, options.parameters);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     // Letters are needed where the picture is no SVG; where none are installed, an SVG is laid out without them.
@@ -87,7 +87,10 @@ void addFigureCommand(CLI::App& app, Context& context) {
     command->add_option("FIGURE", options->number, "1 to 8")->required()->check(CLI::Range(1, han_hong::kFigures));
     command->add_option("SCENE", options->scene.specification, "a scene of yours in place of the paper's bunny")
         ->capture_default_str();
-    command->add_option("-p,--parameter", options->parameters, "parameter of spherical: key=value")->allow_extra_args(false);
+    command
+        ->add_option("-p,--parameter", options->parameters,
+                     std::string("parameter of ") + han_hong::kShownStrategy + ": key=value")
+        ->allow_extra_args(false);
     command->add_option("-o,--output", options->output, "picture: .png, .jpg, .tif or .svg; - is standard output (PNG)");
     command->add_option("--json", options->json, "rays and hits, region, boxes and S of the figure; - is standard output");
     command->add_option("--csv", options->csv, "the same as CSV; - is standard output");

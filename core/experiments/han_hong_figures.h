@@ -10,6 +10,8 @@
 namespace cullscope::han_hong {
 
 inline constexpr int kFigures = 8;
+/// The strategy that they show.
+inline constexpr const char* kShownStrategy = "spherical";
 
 /// What each figure shows, in the paper's words; marked for translation.
 [[nodiscard]] const char* figureTitle(int number);

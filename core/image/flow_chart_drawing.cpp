@@ -24,7 +24,7 @@ public:
         }
         m_column = (width - 2 * kMargin) / columns;
         m_box = m_column * (1.0 - kGapShare);
-        for (const FlowBox& box : chart.boxes) m_words.push_back(wrapped(say(box.text)));
+        for (const FlowBox& box : chart.boxes) m_words.push_back(linesOf(say(box.text), m_box - 2 * kPadding, style));
         m_tops.assign(m_rows + 1, kMargin);
         for (size_t row = 0; row < m_rows; ++row) m_tops[row + 1] = m_tops[row] + heightOf(row) + kRowGap;
     }
@@ -38,21 +38,6 @@ public:
     }
 
 private:
-    [[nodiscard]] std::vector<std::string> wrapped(const std::string& words) const {
-        std::vector<std::string> lines(1);
-        for (size_t from = 0; from < words.size();) {
-            const size_t end = std::min(words.find(' ', from), words.size());
-            const std::string word = words.substr(from, end - from);
-            std::string& line = lines.back();
-            if (!line.empty() && m_style.width(line + " " + word) > m_box - 2 * kPadding)
-                lines.push_back(word);
-            else
-                line += (line.empty() ? "" : " ") + word;
-            from = end + 1;
-        }
-        return lines;
-    }
-
     [[nodiscard]] double heightOf(size_t row) const {
         size_t lines = 1;
         for (size_t i = 0; i < m_chart.boxes.size(); ++i)

@@ -66,20 +66,10 @@ double addLegend(Page& page, const std::vector<PageLegendEntry>& entries, const 
 double addText(Page& page, const std::string& words, const PlotPoint& corner, double width, const PlotStyle& style,
                PlotColour colour, bool bold) {
     double y = corner.y;
-    std::string line;
-    const auto write = [&] {
+    for (const std::string& line : linesOf(words, width, style)) {
         page.text({corner.x, y + style.ascent}, line, colour, TextAnchor::Start, bold);
         y += style.height;
-        line.clear();
-    };
-    for (size_t from = 0; from < words.size();) {
-        const size_t end = std::min(words.find(' ', from), words.size());
-        const std::string word = words.substr(from, end - from);
-        if (!line.empty() && style.width(line + " " + word) > width) write();
-        line += (line.empty() ? "" : " ") + word;
-        from = end + 1;
     }
-    if (!line.empty()) write();
     return y;
 }
 

@@ -32,22 +32,6 @@ constexpr std::array<PlotColour, 8> kOnDark{0xFF56B4E9, 0xFFFF9A4D, 0xFF2BD4A4, 
 /// Where a Chinese character begins, as UTF-8.
 bool beginsCharacter(char byte) { return static_cast<unsigned char>(byte) >= 0xE4 && static_cast<unsigned char>(byte) <= 0xE9; }
 
-/// Words in lines of a width, broken at spaces and before Chinese characters, which no spaces divide.
-std::vector<std::string> linesOf(const std::string& words, double width, const PlotStyle& style) {
-    std::vector<std::string> lines;
-    for (size_t from = 0; from < words.size();) {
-        size_t to = from + 1;
-        while (to < words.size() && words[to] != ' ' && !beginsCharacter(words[to])) ++to;
-        const std::string piece = words.substr(from, to - from);
-        if (lines.empty() || style.width(lines.back() + piece) > width)
-            lines.push_back(piece.substr(piece.front() == ' ' ? 1 : 0));
-        else
-            lines.back() += piece;
-        from = to;
-    }
-    return lines;
-}
-
 /// What is written around a plot.
 struct PlacedWords {
     std::vector<std::string> title, up, across;
@@ -210,6 +194,21 @@ private:
 };
 
 }  // namespace
+
+std::vector<std::string> linesOf(const std::string& words, double width, const PlotStyle& style) {
+    std::vector<std::string> lines;
+    for (size_t from = 0; from < words.size();) {
+        size_t to = from + 1;
+        while (to < words.size() && words[to] != ' ' && !beginsCharacter(words[to])) ++to;
+        const std::string piece = words.substr(from, to - from);
+        if (lines.empty() || style.width(lines.back() + piece) > width)
+            lines.push_back(piece.substr(piece.front() == ' ' ? 1 : 0));
+        else
+            lines.back() += piece;
+        from = to;
+    }
+    return lines;
+}
 
 PlotPoint PlotPlace::pixel(const PlotPoint& value) const {
     return {box.left + x.share(value.x) * (box.right - box.left), box.bottom - y.share(value.y) * (box.bottom - box.top)};

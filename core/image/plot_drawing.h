@@ -55,6 +55,9 @@ struct PlotStyle {
     std::function<std::string(double value)> number;        ///< at a tick or behind a reference
 };
 
+/// Words in lines of a width, broken at spaces and before Chinese characters, which no spaces divide.
+[[nodiscard]] std::vector<std::string> linesOf(const std::string& words, double width, const PlotStyle& style);
+
 /// Colours of lines, told apart in the common deficiencies of colour vision, with a contrast of at least 3 : 1 to the ground.
 [[nodiscard]] std::span<const PlotColour> plotSeries(bool dark);
 

@@ -2022,10 +2022,6 @@
         <translation>등고선 띠(&amp;C)</translation>
     </message>
     <message>
-        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
-        <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다. 축에서 뻗은 가는 선은 각 띠의 S입니다</translation>
-    </message>
-    <message>
         <source>Inner &amp;kernel and horizon</source>
         <translation>내부 커널과 지평선(&amp;K)</translation>
     </message>
@@ -5221,6 +5217,238 @@
         <source>nothing: leave it out</source>
         <translation>없으면 뺌</translation>
     </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>그림 %1</translation>
+    </message>
+    <message>
+        <source>--pose %1: the path %2 has %3 poses, counted from 0.</source>
+        <translation>--pose %1: 경로 %2에는 자세가 %3개 있으며 0부터 셉니다.</translation>
+    </message>
+    <message>
+        <source>Figure %1: this frame decided nothing that could be shown.</source>
+        <translation>그림 %1: 이 프레임에는 보여 줄 판정이 없습니다.</translation>
+    </message>
+    <message>
+        <source>There is no Figure %1: the paper has 1 to %2.</source>
+        <translation>그림 %1은 없습니다. 논문에는 1부터 %2까지 있습니다.</translation>
+    </message>
+    <message>
+        <source>--step %1: this frame has the steps 0 to %2.</source>
+        <translation>--step %1: 이 프레임의 단계는 0부터 %2까지입니다.</translation>
+    </message>
+    <message>
+        <source>the step in hand: %1 of %2</source>
+        <translation>지금 단계: %2 중 %1</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>제출됨</translation>
+    </message>
+    <message>
+        <source>rest of the object</source>
+        <translation>물체의 나머지</translation>
+    </message>
+    <message>
+        <source>bounding sphere</source>
+        <translation>경계구</translation>
+    </message>
+    <message>
+        <source>corner ray</source>
+        <translation>모서리 광선</translation>
+    </message>
+    <message>
+        <source>where it enters the sphere</source>
+        <translation>구로 들어가는 곳</translation>
+    </message>
+    <message>
+        <source>contour of a band that is drawn</source>
+        <translation>그리는 띠의 등고선</translation>
+    </message>
+    <message>
+        <source>contour of a band that is hidden</source>
+        <translation>가려진 띠의 등고선</translation>
+    </message>
+    <message>
+        <source>S, from the axis to the surface, of the labelled sector</source>
+        <translation>표시한 구역의 S: 축에서 표면까지</translation>
+    </message>
+    <message>
+        <source>S of a band that is drawn</source>
+        <translation>그리는 띠의 S</translation>
+    </message>
+    <message>
+        <source>S of a band that is hidden</source>
+        <translation>가려진 띠의 S</translation>
+    </message>
+    <message>
+        <source>edges of the sector</source>
+        <translation>구역의 경계</translation>
+    </message>
+    <message>
+        <source>what is not drawn</source>
+        <translation>그리지 않는 부분</translation>
+    </message>
+    <message>
+        <source>contour, behind the object</source>
+        <translation>물체 뒤의 등고선</translation>
+    </message>
+    <message>
+        <source>from the eye</source>
+        <translation>눈에서 본 모습</translation>
+    </message>
+    <message>
+        <source>from the opposite side</source>
+        <translation>반대쪽에서 본 모습</translation>
+    </message>
+    <message>
+        <source>front sides of what is drawn</source>
+        <translation>그린 면의 앞면</translation>
+    </message>
+    <message>
+        <source>its back sides: the hollow behind them was left out</source>
+        <translation>그 뒷면: 뒤의 빈 부분은 제외되었음</translation>
+    </message>
+    <message>
+        <source>Flow chart of the method</source>
+        <translation>방법의 흐름도</translation>
+    </message>
+    <message>
+        <source>The object and the same in spherical coordinates</source>
+        <translation>물체와 구 좌표계에서의 표현</translation>
+    </message>
+    <message>
+        <source>How the intersections of rays are computed</source>
+        <translation>광선의 교차점 계산 과정</translation>
+    </message>
+    <message>
+        <source>The visible region on the index map, by case</source>
+        <translation>색인 맵에서 경우별 가시 영역</translation>
+    </message>
+    <message>
+        <source>Sampled bands on the object, and their contours on the map</source>
+        <translation>물체의 샘플링 띠와 맵 위의 등고선</translation>
+    </message>
+    <message>
+        <source>S in the sampled bands</source>
+        <translation>샘플링 띠에서의 S</translation>
+    </message>
+    <message>
+        <source>Sampled bands and what they hide</source>
+        <translation>샘플링 띠와 은면 제거</translation>
+    </message>
+    <message>
+        <source>The picture without what is hidden, from both sides</source>
+        <translation>은면이 제거된 영상, 앞과 뒤</translation>
+    </message>
+    <message>
+        <source>There is no font for the picture&apos;s letters: install the package fonts-noto-cjk or fonts-dejavu-core, or write an .svg file, whose letters its viewer draws.</source>
+        <translation>그림의 글자를 위한 글꼴이 없습니다. 패키지 fonts-noto-cjk 또는 fonts-dejavu-core를 설치하거나, 보는 프로그램이 글자를 그리는 .svg 파일로 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Ghost of the whole objects</source>
+        <translation>물체 전체의 잔상</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost of the whole objects</source>
+        <translation>물체 전체의 잔상(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Show all objects as ghosts around what was drawn of them in the active view</source>
+        <translation>활성 뷰에서 그려진 부분 둘레에 모든 물체를 잔상으로 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>Back sides in orange</source>
+        <translation>뒷면을 주황색으로</translation>
+    </message>
+    <message>
+        <source>Back si&amp;des in orange</source>
+        <translation>뒷면을 주황색으로(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show the back sides of surfaces in orange in the active view: what is hollow is not taken for a body</source>
+        <translation>활성 뷰에서 표면의 뒷면을 주황색으로 보여 줍니다. 속이 빈 것을 물체로 잘못 보지 않게 됩니다</translation>
+    </message>
+    <message>
+        <source>Vertices to spherical coordinates R, θ, φ</source>
+        <translation>정점을 구 좌표 R, θ, φ로</translation>
+    </message>
+    <message>
+        <source>Centroid map, triangle index map, memory access map</source>
+        <translation>무게중심 맵, 삼각형 색인 맵, 메모리 접근 맵</translation>
+    </message>
+    <message>
+        <source>Bounding sphere and frustum</source>
+        <translation>경계구와 절두체</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn</source>
+        <translation>아무것도 그리지 않음</translation>
+    </message>
+    <message>
+        <source>All of it is drawn</source>
+        <translation>전부 그림</translation>
+    </message>
+    <message>
+        <source>Inside the frustum?</source>
+        <translation>절두체 안에 있는가?</translation>
+    </message>
+    <message>
+        <source>Four corner rays of the frustum</source>
+        <translation>절두체의 모서리 광선 네 개</translation>
+    </message>
+    <message>
+        <source>Search of the triangle index map for the triangles hit</source>
+        <translation>삼각형 색인 맵에서 교차한 삼각형 탐색</translation>
+    </message>
+    <message>
+        <source>Does a ray meet the object?</source>
+        <translation>물체와 만나는 광선이 있는가?</translation>
+    </message>
+    <message>
+        <source>Visible region on the map: case 1, 2 or 3</source>
+        <translation>맵 위의 가시 영역: 경우 1, 2, 3</translation>
+    </message>
+    <message>
+        <source>Boxes around it, ranges of the memory access map</source>
+        <translation>경계 박스, 메모리 접근 맵의 구간</translation>
+    </message>
+    <message>
+        <source>Contour bands from the nearest point, S by sector</source>
+        <translation>가장 가까운 점부터의 등고선 띠, 구역별 S</translation>
+    </message>
+    <message>
+        <source>Near half, and what no larger S hides</source>
+        <translation>가까운 절반, 그리고 더 큰 S에 가려지지 않는 것</translation>
+    </message>
+    <message>
+        <source>Graphics pipeline</source>
+        <translation>그래픽스 파이프라인</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>밖</translation>
+    </message>
+    <message>
+        <source>inside, or cut by a plane</source>
+        <translation>안, 또는 평면에 잘림</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view</source>
+        <translation>활성 뷰에서 구 좌표 전략의 등고선 띠를 물체의 경계구 위에 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>S of the contour bands</source>
+        <translation>등고선 띠의 S</translation>
+    </message>
+    <message>
+        <source>&amp;S of the contour bands</source>
+        <translation>등고선 띠의 S(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
+        <translation>활성 뷰에서 한 구역의 각 등고선 띠의 S를 보여 줍니다. 축에서 그것을 잰 표면까지의 선이며, 띠가 가려진 곳은 점선입니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5507,6 +5735,24 @@ OpenGL %2
         <source>All of these</source>
         <comment>sweeps over parameters</comment>
         <translation>아래 전부</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::FlowChartPanel</name>
+    <message>
+        <source>This strategy has no flow chart.</source>
+        <translation>이 전략에는 흐름도가 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::FlowChartPlot</name>
+    <message>
+        <source>Flow chart</source>
+        <translation>흐름도</translation>
+    </message>
+    <message>
+        <source>%1: the step in hand</source>
+        <translation>%1: 지금 단계</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +8055,10 @@ sides [95 %]</source>
     <message>
         <source>Counts</source>
         <translation>개수</translation>
+    </message>
+    <message>
+        <source>Flow chart</source>
+        <translation>흐름도</translation>
     </message>
 </context>
 <context>

@@ -2022,10 +2022,6 @@
         <translation>等高线环带(&amp;C)</translation>
     </message>
     <message>
-        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
-        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带；从轴引出的细线是各环带的 S</translation>
-    </message>
-    <message>
         <source>Inner &amp;kernel and horizon</source>
         <translation>内核与地平线(&amp;K)</translation>
     </message>
@@ -5221,6 +5217,238 @@
         <source>nothing: leave it out</source>
         <translation>没有则略去</translation>
     </message>
+    <message>
+        <source>Figure %1</source>
+        <translation>图 %1</translation>
+    </message>
+    <message>
+        <source>--pose %1: the path %2 has %3 poses, counted from 0.</source>
+        <translation>--pose %1：路径 %2 有 %3 个位姿，从 0 数起。</translation>
+    </message>
+    <message>
+        <source>Figure %1: this frame decided nothing that could be shown.</source>
+        <translation>图 %1：这一帧没有可供显示的判定。</translation>
+    </message>
+    <message>
+        <source>There is no Figure %1: the paper has 1 to %2.</source>
+        <translation>没有图 %1：论文有图 1 至图 %2。</translation>
+    </message>
+    <message>
+        <source>--step %1: this frame has the steps 0 to %2.</source>
+        <translation>--step %1：这一帧有第 0 至第 %2 步。</translation>
+    </message>
+    <message>
+        <source>the step in hand: %1 of %2</source>
+        <translation>当前步骤：第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>rest of the object</source>
+        <translation>物体的其余部分</translation>
+    </message>
+    <message>
+        <source>bounding sphere</source>
+        <translation>包围球</translation>
+    </message>
+    <message>
+        <source>corner ray</source>
+        <translation>角光线</translation>
+    </message>
+    <message>
+        <source>where it enters the sphere</source>
+        <translation>进入球处</translation>
+    </message>
+    <message>
+        <source>contour of a band that is drawn</source>
+        <translation>被绘制的环带的等高线</translation>
+    </message>
+    <message>
+        <source>contour of a band that is hidden</source>
+        <translation>被遮挡的环带的等高线</translation>
+    </message>
+    <message>
+        <source>S, from the axis to the surface, of the labelled sector</source>
+        <translation>所标扇区的 S：从轴到表面</translation>
+    </message>
+    <message>
+        <source>S of a band that is drawn</source>
+        <translation>被绘制的环带的 S</translation>
+    </message>
+    <message>
+        <source>S of a band that is hidden</source>
+        <translation>被遮挡的环带的 S</translation>
+    </message>
+    <message>
+        <source>edges of the sector</source>
+        <translation>扇区的边界</translation>
+    </message>
+    <message>
+        <source>what is not drawn</source>
+        <translation>未绘制的部分</translation>
+    </message>
+    <message>
+        <source>contour, behind the object</source>
+        <translation>物体后面的等高线</translation>
+    </message>
+    <message>
+        <source>from the eye</source>
+        <translation>从视点看</translation>
+    </message>
+    <message>
+        <source>from the opposite side</source>
+        <translation>从对侧看</translation>
+    </message>
+    <message>
+        <source>front sides of what is drawn</source>
+        <translation>所绘表面的正面</translation>
+    </message>
+    <message>
+        <source>its back sides: the hollow behind them was left out</source>
+        <translation>其背面：后面空缺的部分已被略去</translation>
+    </message>
+    <message>
+        <source>Flow chart of the method</source>
+        <translation>方法的流程图</translation>
+    </message>
+    <message>
+        <source>The object and the same in spherical coordinates</source>
+        <translation>物体及其球坐标表示</translation>
+    </message>
+    <message>
+        <source>How the intersections of rays are computed</source>
+        <translation>光线交点的计算过程</translation>
+    </message>
+    <message>
+        <source>The visible region on the index map, by case</source>
+        <translation>索引图上各情形的可见区域</translation>
+    </message>
+    <message>
+        <source>Sampled bands on the object, and their contours on the map</source>
+        <translation>物体上的采样环带及其在图上的等高线</translation>
+    </message>
+    <message>
+        <source>S in the sampled bands</source>
+        <translation>采样环带中的 S</translation>
+    </message>
+    <message>
+        <source>Sampled bands and what they hide</source>
+        <translation>采样环带及其遮挡的部分</translation>
+    </message>
+    <message>
+        <source>The picture without what is hidden, from both sides</source>
+        <translation>去除隐藏面后的画面，正反两面</translation>
+    </message>
+    <message>
+        <source>There is no font for the picture&apos;s letters: install the package fonts-noto-cjk or fonts-dejavu-core, or write an .svg file, whose letters its viewer draws.</source>
+        <translation>没有可用于图片文字的字体：请安装软件包 fonts-noto-cjk 或 fonts-dejavu-core，或写成 .svg 文件，其文字由查看程序绘制。</translation>
+    </message>
+    <message>
+        <source>Ghost of the whole objects</source>
+        <translation>整个物体的虚影</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost of the whole objects</source>
+        <translation>整个物体的虚影(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Show all objects as ghosts around what was drawn of them in the active view</source>
+        <translation>在活动视图中，在已绘制部分的周围以虚影显示所有物体</translation>
+    </message>
+    <message>
+        <source>Back sides in orange</source>
+        <translation>背面用橙色</translation>
+    </message>
+    <message>
+        <source>Back si&amp;des in orange</source>
+        <translation>背面用橙色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show the back sides of surfaces in orange in the active view: what is hollow is not taken for a body</source>
+        <translation>在活动视图中用橙色显示表面的背面：空壳不会被误认为实体</translation>
+    </message>
+    <message>
+        <source>Vertices to spherical coordinates R, θ, φ</source>
+        <translation>顶点转为球坐标 R、θ、φ</translation>
+    </message>
+    <message>
+        <source>Centroid map, triangle index map, memory access map</source>
+        <translation>质心图、三角形索引图、内存访问图</translation>
+    </message>
+    <message>
+        <source>Bounding sphere and frustum</source>
+        <translation>包围球与视锥体</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn</source>
+        <translation>什么都不绘制</translation>
+    </message>
+    <message>
+        <source>All of it is drawn</source>
+        <translation>全部绘制</translation>
+    </message>
+    <message>
+        <source>Inside the frustum?</source>
+        <translation>在视锥体内？</translation>
+    </message>
+    <message>
+        <source>Four corner rays of the frustum</source>
+        <translation>视锥体的四条角光线</translation>
+    </message>
+    <message>
+        <source>Search of the triangle index map for the triangles hit</source>
+        <translation>在三角形索引图中搜索命中的三角形</translation>
+    </message>
+    <message>
+        <source>Does a ray meet the object?</source>
+        <translation>有光线与物体相交？</translation>
+    </message>
+    <message>
+        <source>Visible region on the map: case 1, 2 or 3</source>
+        <translation>图上的可见区域：情形 1、2 或 3</translation>
+    </message>
+    <message>
+        <source>Boxes around it, ranges of the memory access map</source>
+        <translation>其包围盒，内存访问图的区间</translation>
+    </message>
+    <message>
+        <source>Contour bands from the nearest point, S by sector</source>
+        <translation>从最近点起的等高线环带，各扇区的 S</translation>
+    </message>
+    <message>
+        <source>Near half, and what no larger S hides</source>
+        <translation>近半部分，以及不被更大的 S 遮挡的部分</translation>
+    </message>
+    <message>
+        <source>Graphics pipeline</source>
+        <translation>图形管线</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>外部</translation>
+    </message>
+    <message>
+        <source>inside, or cut by a plane</source>
+        <translation>内部，或被平面切割</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view</source>
+        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带</translation>
+    </message>
+    <message>
+        <source>S of the contour bands</source>
+        <translation>等高线环带的 S</translation>
+    </message>
+    <message>
+        <source>&amp;S of the contour bands</source>
+        <translation>等高线环带的 S(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
+        <translation>在活动视图中显示一个扇区内各等高线环带的 S：从轴到测得它的表面的线，环带被遮挡处为虚线</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -5507,6 +5735,24 @@ OpenGL %2
         <source>All of these</source>
         <comment>sweeps over parameters</comment>
         <translation>以下全部</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::FlowChartPanel</name>
+    <message>
+        <source>This strategy has no flow chart.</source>
+        <translation>此策略没有流程图。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::FlowChartPlot</name>
+    <message>
+        <source>Flow chart</source>
+        <translation>流程图</translation>
+    </message>
+    <message>
+        <source>%1: the step in hand</source>
+        <translation>%1：当前步骤</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +8055,10 @@ sides [95 %]</source>
     <message>
         <source>Counts</source>
         <translation>计数</translation>
+    </message>
+    <message>
+        <source>Flow chart</source>
+        <translation>流程图</translation>
     </message>
 </context>
 <context>

@@ -114,7 +114,8 @@ const fs::path kDpkg = "/var/lib/dpkg";
 /// The include folders for angle brackets, with those of Qt, which CMake adds.
 std::vector<fs::path> includeFolders() {
     const std::string architecture = CULLSCOPE_LIBRARY_ARCHITECTURE;
-    std::vector<fs::path> folders = {"/usr/include", "/usr/include/" + architecture};
+    // FreeType's headers lie in a folder of their own, which its CMake module adds.
+    std::vector<fs::path> folders = {"/usr/include", "/usr/include/" + architecture, "/usr/include/freetype2"};
     for (const fs::path& parent : {fs::path("/usr/include/c++"), fs::path("/usr/include") / architecture / "qt6",
                                    fs::path("/usr/lib/gcc") / architecture}) {
         folders.push_back(parent);
