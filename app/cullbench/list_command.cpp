@@ -5,6 +5,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/experiments/experiment_list.h"
+#include "core/scene/gallery/gallery.h"
 #include "core/scene/polygon_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
 
@@ -74,9 +75,16 @@ Json strategiesJson() {
     return list;
 }
 
+/// The generators, and behind them the gallery.
+std::vector<GeneratorInfo> listedScenes() {
+    std::vector<GeneratorInfo> infos = sceneGenerators();
+    infos.insert(infos.end(), galleryInfos().begin(), galleryInfos().end());
+    return infos;
+}
+
 Json scenesJson() {
     Json list = Json::array();
-    for (const GeneratorInfo& generator : sceneGenerators()) {
+    for (const GeneratorInfo& generator : listedScenes()) {
         Json parameters = Json::array();
         for (const GeneratorParameter& parameter : generator.parameters)
             parameters.push_back(
@@ -115,7 +123,7 @@ void printScenes() {
     for (const std::string& extension : readableMeshExtensions())
         say("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
     say("), polygons (.{}), a plant (.{}) or a generator\n", kPolygonExtension, kRvmExtension);
-    for (const GeneratorInfo& generator : sceneGenerators()) {
+    for (const GeneratorInfo& generator : listedScenes()) {
         say("  {:<12} {}\n", generator.id, generator.description);
         for (const GeneratorParameter& parameter : generator.parameters)
             say("    {} (default {}): {}\n", parameter.key, parameter.defaultValue.empty() ? "none" : parameter.defaultValue,

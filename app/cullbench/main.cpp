@@ -79,6 +79,8 @@ int run(int argc, char** argv) {
     addReproduceCommand(app, context);
     addSweepCommand(app, context);
     addStabilityCommand(app, context);
+    addSuiteCommand(app, context);
+    addJudgeCommand(app, context);
     refuseEmptyValues(app);
     try {
         refuseEmptyAssignments(argc, argv);

@@ -20,13 +20,16 @@
 namespace cullscope::cullbench {
 namespace {
 
+constexpr double kUsualField = 45.0;  // degrees
+
 struct RenderOptions {
     SceneChoice scene;
     std::string strategy, output, path, eye, target, up;
     std::vector<std::string> parameters;
     std::string size = "640x480";
     std::string background, surface;
-    double fovy = 45.0, fovx = 0.0, nearDistance = 0.0, farDistance = 0.0;
+    std::optional<double> fovy;  ///< degrees; none: the scene's own, or the usual one
+    double fovx = 0.0, nearDistance = 0.0, farDistance = 0.0;
     ProjectionOptions projection;
     int64_t pose = 0;
     std::optional<int64_t> step;
@@ -46,10 +49,12 @@ Camera cameraOf(const RenderOptions& options, const Scene& scene, const Viewport
     if (!options.eye.empty()) camera.eye = vectorFromText("--eye", options.eye);
     if (!options.target.empty()) camera.target = vectorFromText("--target", options.target);
     if (!options.up.empty()) camera.up = vectorFromText("--up", options.up);
-    if (options.path.empty()) camera.fovy = Angle::fromDegrees(options.fovy);
+    // A scene of the gallery is seen by the lens of its case, unless another one is asked for.
+    const bool ofCase = !scene.remarks().cameras.empty() && options.eye.empty() && !options.fovy;
+    if (options.path.empty() && !ofCase) camera.fovy = Angle::fromDegrees(options.fovy.value_or(kUsualField));
     if (options.fovx > 0.0) camera.fovy = verticalField(Angle::fromDegrees(options.fovx), size);
     camera = options.projection.of(camera);
-    if (options.path.empty()) fitDepthRange(camera, scene);
+    if (options.path.empty() && !ofCase) fitDepthRange(camera, scene);
     if (options.nearDistance > 0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0) camera.farDistance = options.farDistance;
     return camera;
@@ -239,7 +244,8 @@ void addRenderCommand(CLI::App& app, Context& context) {
     auto* eye = command->add_option("--eye", options->eye, "eye, x,y,z (default: all of the scene in view)");
     command->add_option("--target", options->target, "what is looked at, x,y,z");
     command->add_option("--up", options->up, "up, x,y,z");
-    auto* fovy = command->add_option("--fovy", options->fovy, "vertical field of view in degrees")->capture_default_str();
+    auto* fovy = command->add_option("--fovy", options->fovy,
+                                     "vertical field of view in degrees (default: 45; of a case of the gallery its own)");
     addFieldOption(*command, options->fovx)->excludes(fovy);
     addProjectionOptions(*command, options->projection);
     command->add_option("--near", options->nearDistance, "near distance (default: from the eye's place)")

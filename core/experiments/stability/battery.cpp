@@ -15,6 +15,7 @@ namespace cullscope::stability {
 
 const std::vector<StabilityCase>& battery() {
     constexpr const char* kNothingLost = CULLSCOPE_TR("strategies that promise to lose nothing lose nothing");
+    constexpr const char* kAreas = CULLSCOPE_TR("ends, or stops with a sentence; areas are kept and nothing is lost");
     // A line or a few for each.
     // clang-format off
     static const std::vector<StabilityCase> kCases{
@@ -86,8 +87,14 @@ const std::vector<StabilityCase>& battery() {
          "gallery/case-29-parts", {{1920, 1080}}, {{"small-feature", 0.5}}, smallParts},
         {30, "30-mirrored", CULLSCOPE_TR("Mirrored and flattened bodies"), kNothingLost,
          "gallery/case-30-mirrored", {{200, 150}}, {}, everyStrategyOnTheScene},
-        {31, "31-areas", CULLSCOPE_TR("Coplanar polygons, shared edges, slivers and a full cube in a BSP tree"), CULLSCOPE_TR("ends, or stops with a sentence; areas are kept and nothing is lost"),
+        {31, "31-coplanar", CULLSCOPE_TR("Ten thousand polygons in one plane in a BSP tree"), kAreas,
          "gallery/case-31-coplanar", {{120, 90}}, {}, areasKept},
+        {31, "31-edges", CULLSCOPE_TR("Polygons that share every edge in a BSP tree"), kAreas,
+         "gallery/case-31-edges", {{120, 90}}, {}, areasKept},
+        {31, "31-slivers", CULLSCOPE_TR("Slivers a billion times as long as wide in a BSP tree"), kAreas,
+         "gallery/case-31-slivers", {{120, 90}}, {}, areasKept},
+        {31, "31-random", CULLSCOPE_TR("Ten thousand random triangles in a BSP tree"), kAreas,
+         "gallery/case-31-random", {{120, 90}}, {}, areasKept},
         {32, "32-rounding", CULLSCOPE_TR("Two surfaces one rounding of a float apart"), CULLSCOPE_TR("unresolved, and not counted as missed"),
          "gallery/case-32-rounding", {{64, 64}}, {}, oneRoundingApart},
         {33, "33-near", CULLSCOPE_TR("Triangles through the near plane with every corner outside the view"), kNothingLost,

@@ -145,7 +145,7 @@ Parts ballInItsSphere() {
     }
     return Parts()
         .add(meshOf(std::move(positions), std::move(indices)))
-        .from({cameraAt({-3, 0.45, 0}, 30, {0, 0.45, 0}), cameraAt({0.5, -3, 0.5}, 8)});
+        .from({cameraAt({-3, 0.45, 0}, 30, {0, 0.45, 0}), cameraAt({0.5, -3, 0.5}, 30)});
 }
 
 Parts torus() {
@@ -162,7 +162,15 @@ Parts insideAStar() {
 }
 
 Parts narrowField() { return Parts().add(starMesh(7, kSolid)).from(cameraAt({0, 0, 5000}, 0.01, Vec3(0.0), 1e5)); }
-Parts wideField() { return Parts().add(starMesh(7, kSolid)).from({cameraAt({0, 0, 1.6}, 179), cameraAt({2, 1, 1}, 179)}); }
+Parts wideField() {
+    // What lies ahead is smaller than a pixel, what lies at the side is large.
+    Parts parts = Parts().add(starMesh(7, 2000), moved({0, 0, -3}));
+    for (int i = 0; i < 12; ++i) {
+        const double turn = kTurn * i / 12;
+        parts.copy(moved({3.0 * std::cos(turn), 3.0 * std::sin(turn), 0.3 * (i % 3) - 0.8}) * scaled(Vec3(0.8)));
+    }
+    return parts.from({cameraAt(Vec3(0.0), 179, {0, 0, -1}), cameraAt({0.5, -0.5, 0.2}, 179, {0.6, -0.2, -1})});
+}
 
 Parts mirrored() {
     return Parts()

@@ -1,0 +1,75 @@
+#include <map>
+
+#include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
+#include "core/base/error.h"
+#include "core/experiments/suite/judge.h"
+#include "core/experiments/suite/suite.h"
+#include "core/gpu/context.h"
+#include "core/visibility/facing.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+struct JudgeOptions {
+    SceneChoice scene;
+    std::string path, drawn, json, size = "640x480", facing = "two-sided";
+};
+
+void judge(const JudgeOptions& options, Context& context) {
+    const Viewport size = sizeFromText(options.size);
+    checkOutputPlaces({options.json});
+    suite::JudgeRequest request;
+    request.scene = openSceneForCommand(options.scene, context).scene;
+    request.size = size;
+    request.drawn = readDrawnSets(options.drawn, *request.scene);
+    if (options.path.empty() && request.drawn.path.poses.empty())
+        throwUsage(CULLSCOPE_TR("%1 has no cameras: name the camera path with --path."), {options.drawn});
+    request.path = options.path.empty() ? request.drawn.path : cameraPath(options.path, *request.scene, {nullptr, context.stop});
+    const std::map<std::string, Facing> rules{
+        {"two-sided", Facing::TwoSided}, {"front", Facing::Front}, {"auto", facingByObject(*request.scene)}};
+    request.facing = rules.at(options.facing);
+    const HeadlessContext gl;
+    Renderer renderer;
+    const suite::Judgement judgement = suite::judgeDrawn(request, renderer, terminalProgress(context));
+    clearProgress();
+    context.exitStatus = judgement.right() ? 0 : 1;
+    if (!options.json.empty()) writeText(options.json, suite::judgementJson(judgement, request, gl.info()));
+    printText(options.json == "-" ? stderr : stdout, suite::judgementText(judgement, request));
+}
+
+void write(const std::string& folder, Context& context) {
+    const HeadlessContext gl;
+    Renderer renderer;
+    const std::vector<suite::WrittenScene> written =
+        suite::writeSuite(folder, suite::suiteScenes(), renderer, terminalProgress(context));
+    clearProgress();
+    for (const suite::WrittenScene& scene : written)
+        say("{:<24} {:>7} triangles in {:>5} objects, {:>3} poses: {} visible triangles are required\n", scene.name,
+            scene.triangles, scene.objects, scene.poses, scene.visibleTriangles);
+}
+
+}  // namespace
+
+void addJudgeCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("judge", "Judges what another program says that it draws");
+    auto options = std::make_shared<JudgeOptions>();
+    addSceneOptions(*command, options->scene);
+    command->add_option("--drawn", options->drawn, "what is drawn at each pose (docs/files.md)")->required();
+    command->add_option("--path", options->path, "camera path: file or built-in name (default: the cameras beside the sets)");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--facing", options->facing, "which faces the program draws: two-sided, front, auto")
+        ->check(CLI::IsMember({"two-sided", "front", "auto"}))
+        ->capture_default_str();
+    command->add_option("--json", options->json, "result file; - is standard output");
+    command->callback([options, &context] { judge(*options, context); });
+}
+
+void addSuiteCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("suite", "Writes scenes, cameras and what must be drawn as plain files");
+    auto folder = std::make_shared<std::string>();
+    command->add_option("DIR", *folder, "folder, which is made where it is missing")->required();
+    command->callback([folder, &context] { write(*folder, context); });
+}
+
+}  // namespace cullscope::cullbench
