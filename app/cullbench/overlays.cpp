@@ -201,12 +201,14 @@ void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy,
 
 Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene) {
     if (!options.observer()) return culling;
-    Camera camera = culling;
+    // A change to perspective moves the eye of a parallel camera, and so comes before an eye that is given.
+    const bool perspective = options.projection.projection == projectionId(ProjectionKind::Perspective);
+    Camera camera = perspective ? options.projection.of(culling) : culling;
     if (!options.eye.empty()) camera.eye = vectorFromText("--view-eye", options.eye);
     if (!options.target.empty()) camera.target = vectorFromText("--view-target", options.target);
     if (!options.up.empty()) camera.up = vectorFromText("--view-up", options.up);
     if (options.fovy > 0.0) camera.fovy = Angle::fromDegrees(options.fovy);
-    camera = options.projection.of(camera);
+    if (!perspective) camera = options.projection.of(camera);
     fitDepthRange(camera, scene);
     if (options.nearDistance > 0.0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0.0) camera.farDistance = options.farDistance;

@@ -5449,6 +5449,30 @@
         <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
         <translation>활성 뷰에서 한 구역의 각 등고선 띠의 S를 보여 줍니다. 축에서 그것을 잰 표면까지의 선이며, 띠가 가려진 곳은 점선입니다</translation>
     </message>
+    <message>
+        <source>write x, y, z or view, and a share, as in &quot;x:0.5&quot;.</source>
+        <translation>x, y, z 또는 view와 비율을 쓰십시오. 예: &quot;x:0.5&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is no history of experiments: it is passed over, and the next experiment replaces it.</source>
+        <translation>%1 파일은 실험 기록이 아닙니다. 무시하며, 다음 실험이 이 파일을 대신합니다.</translation>
+    </message>
+    <message>
+        <source>The height of a parallel view must be a number above 0, not %1.</source>
+        <translation>평행 투영 뷰의 높이는 0보다 큰 수여야 하며, %1일 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;projection&quot; must be &quot;perspective&quot; or &quot;parallel&quot;.</source>
+        <translation>%1: &quot;projection&quot;은 &quot;perspective&quot; 또는 &quot;parallel&quot;이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: a parallel projection needs its &quot;height&quot;, in scene units.</source>
+        <translation>%1: 평행 투영에는 장면 단위의 &quot;height&quot;가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>%1 needs the place of an eye, and a parallel view has none: every triangle is drawn.</source>
+        <translation>%1 전략에는 눈의 위치가 필요한데 평행 투영 뷰에는 눈이 없습니다. 모든 삼각형을 그립니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6107,6 +6131,10 @@ OpenGL %2
         <source>in a lesson: step back, step on</source>
         <translation>수업에서: 앞 단계, 다음 단계</translation>
     </message>
+    <message>
+        <source>parallel view, or perspective</source>
+        <translation>평행 투영 또는 원근 투영</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -6502,6 +6530,14 @@ OpenGL %2
     <message>
         <source>Close this message</source>
         <translation>이 알림 닫기</translation>
+    </message>
+    <message>
+        <source>All of it…</source>
+        <translation>전체 보기…</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>메시지</translation>
     </message>
 </context>
 <context>
@@ -7625,6 +7661,41 @@ sides [95 %]</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::SectionDialog</name>
+    <message>
+        <source>Clipping plane</source>
+        <translation>절단 평면</translation>
+    </message>
+    <message>
+        <source>&amp;Cut the pictures of all views</source>
+        <translation>모든 뷰의 그림 자르기(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>방향</translation>
+    </message>
+    <message>
+        <source>the &amp;view</source>
+        <translation>시선(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>위치(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Place of the clipping plane</source>
+        <translation>절단 평면의 위치</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;other side</source>
+        <translation>반대쪽 남기기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Culling and all figures stay those of the whole scene.</source>
+        <translation>컬링과 모든 수치는 전체 장면의 것 그대로입니다.</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ShownReading</name>
     <message>
         <source>Open a scene to see what a strategy decides about it.</source>
@@ -7828,12 +7899,12 @@ sides [95 %]</source>
         <translation>나란히 놓인 실험</translation>
     </message>
     <message>
-        <source>Each experiment that ends appears here beside the others, until the program ends.</source>
-        <translation>끝난 실험은 프로그램이 끝날 때까지 여기에 나란히 나타납니다.</translation>
-    </message>
-    <message>
         <source>Report as PDF…</source>
         <translation>보고서를 PDF로…</translation>
+    </message>
+    <message>
+        <source>Each experiment that ends appears here beside the others, also at later starts.</source>
+        <translation>끝난 실험은 다른 실험과 나란히 여기에 나타나며, 다시 시작해도 남아 있습니다.</translation>
     </message>
 </context>
 <context>
@@ -8340,6 +8411,14 @@ sides [95 %]</source>
     <message>
         <source>coarse while it moves: %1 of %2 triangles, by object</source>
         <translation>움직이는 동안 거칠게: 삼각형 %2개 중 %1개, 물체 단위</translation>
+    </message>
+    <message>
+        <source>parallel, height %1</source>
+        <translation>평행 투영, 높이 %1</translation>
+    </message>
+    <message>
+        <source>cut by a plane; figures of the whole scene</source>
+        <translation>평면으로 자름, 수치는 전체 장면의 것</translation>
     </message>
 </context>
 <context>
@@ -8896,16 +8975,36 @@ sides [95 %]</source>
         <translation>보는 방향(&amp;F)</translation>
     </message>
     <message>
-        <source>Al&amp;most parallel</source>
-        <translation>거의 평행 투영(&amp;M)</translation>
-    </message>
-    <message>
-        <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
-        <translation>멀리서 0.5°의 시야로 보기: 크기가 거리에 거의 좌우되지 않고, 활성 뷰의 축척은 그대로입니다</translation>
-    </message>
-    <message>
         <source>Picture si&amp;ze</source>
         <translation>그림 크기(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>투영(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>원근(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Lines of sight meet in the eye: what is farther is smaller</source>
+        <translation>시선이 눈에서 만납니다. 멀수록 작게 보입니다</translation>
+    </message>
+    <message>
+        <source>P&amp;arallel</source>
+        <translation>평행(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Lines of sight run side by side: sizes do not depend on the distance (orthographic)</source>
+        <translation>시선이 나란합니다. 크기가 거리에 따라 달라지지 않습니다(직교 투영)</translation>
+    </message>
+    <message>
+        <source>Clippin&amp;g plane…</source>
+        <translation>절단 평면(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Cut the pictures by a plane, to look inside: a section</source>
+        <translation>그림을 평면으로 잘라 안을 봅니다(단면)</translation>
     </message>
 </context>
 </TS>

@@ -5449,6 +5449,30 @@
         <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
         <translation>在活动视图中显示一个扇区内各等高线环带的 S：从轴到测得它的表面的线，环带被遮挡处为虚线</translation>
     </message>
+    <message>
+        <source>write x, y, z or view, and a share, as in &quot;x:0.5&quot;.</source>
+        <translation>请写 x、y、z 或 view，以及一个比例，例如 &quot;x:0.5&quot;。</translation>
+    </message>
+    <message>
+        <source>%1 is no history of experiments: it is passed over, and the next experiment replaces it.</source>
+        <translation>%1 不是实验记录：将忽略它，下一次实验会替换它。</translation>
+    </message>
+    <message>
+        <source>The height of a parallel view must be a number above 0, not %1.</source>
+        <translation>平行视图的高度必须是大于 0 的数，而不是 %1。</translation>
+    </message>
+    <message>
+        <source>%1: &quot;projection&quot; must be &quot;perspective&quot; or &quot;parallel&quot;.</source>
+        <translation>%1：&quot;projection&quot; 必须是 &quot;perspective&quot; 或 &quot;parallel&quot;。</translation>
+    </message>
+    <message>
+        <source>%1: a parallel projection needs its &quot;height&quot;, in scene units.</source>
+        <translation>%1：平行投影需要以场景单位给出的 &quot;height&quot;。</translation>
+    </message>
+    <message>
+        <source>%1 needs the place of an eye, and a parallel view has none: every triangle is drawn.</source>
+        <translation>%1 需要眼睛的位置，而平行视图没有：绘制所有三角形。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6107,6 +6131,10 @@ OpenGL %2
         <source>in a lesson: step back, step on</source>
         <translation>在课程中：上一步，下一步</translation>
     </message>
+    <message>
+        <source>parallel view, or perspective</source>
+        <translation>平行视图或透视视图</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -6502,6 +6530,14 @@ OpenGL %2
     <message>
         <source>Close this message</source>
         <translation>关闭此消息</translation>
+    </message>
+    <message>
+        <source>All of it…</source>
+        <translation>全文…</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
     </message>
 </context>
 <context>
@@ -7625,6 +7661,41 @@ sides [95 %]</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::SectionDialog</name>
+    <message>
+        <source>Clipping plane</source>
+        <translation>剖切平面</translation>
+    </message>
+    <message>
+        <source>&amp;Cut the pictures of all views</source>
+        <translation>剖切所有视图的图像(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Across</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>the &amp;view</source>
+        <translation>视线(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Place</source>
+        <translation>位置(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Place of the clipping plane</source>
+        <translation>剖切平面的位置</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;other side</source>
+        <translation>保留另一侧(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Culling and all figures stay those of the whole scene.</source>
+        <translation>剔除和所有数据仍是整个场景的。</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ShownReading</name>
     <message>
         <source>Open a scene to see what a strategy decides about it.</source>
@@ -7828,12 +7899,12 @@ sides [95 %]</source>
         <translation>并列的实验</translation>
     </message>
     <message>
-        <source>Each experiment that ends appears here beside the others, until the program ends.</source>
-        <translation>每个结束的实验都会并列显示在这里，直到程序结束。</translation>
-    </message>
-    <message>
         <source>Report as PDF…</source>
         <translation>报告存为 PDF…</translation>
+    </message>
+    <message>
+        <source>Each experiment that ends appears here beside the others, also at later starts.</source>
+        <translation>每个结束的实验都与其他实验并列显示在此，以后启动时也在。</translation>
     </message>
 </context>
 <context>
@@ -8340,6 +8411,14 @@ sides [95 %]</source>
     <message>
         <source>coarse while it moves: %1 of %2 triangles, by object</source>
         <translation>移动时为粗略图像：%2 个三角形中的 %1 个，按物体</translation>
+    </message>
+    <message>
+        <source>parallel, height %1</source>
+        <translation>平行投影，高度 %1</translation>
+    </message>
+    <message>
+        <source>cut by a plane; figures of the whole scene</source>
+        <translation>被平面剖切；数据为整个场景的</translation>
     </message>
 </context>
 <context>
@@ -8896,16 +8975,36 @@ sides [95 %]</source>
         <translation>观看方向(&amp;F)</translation>
     </message>
     <message>
-        <source>Al&amp;most parallel</source>
-        <translation>近似平行投影(&amp;M)</translation>
-    </message>
-    <message>
-        <source>A field of view of 0.5° from far away: sizes hardly depend on the distance, and the active view keeps its scale</source>
-        <translation>从远处以 0.5° 的视场观看：大小几乎不随距离变化，活动视图保持其比例</translation>
-    </message>
-    <message>
         <source>Picture si&amp;ze</source>
         <translation>图像大小(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Pro&amp;jection</source>
+        <translation>投影(&amp;J)</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>透视(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Lines of sight meet in the eye: what is farther is smaller</source>
+        <translation>视线交于眼睛：越远越小</translation>
+    </message>
+    <message>
+        <source>P&amp;arallel</source>
+        <translation>平行(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Lines of sight run side by side: sizes do not depend on the distance (orthographic)</source>
+        <translation>视线彼此平行：大小与距离无关（正交投影）</translation>
+    </message>
+    <message>
+        <source>Clippin&amp;g plane…</source>
+        <translation>剖切平面(&amp;G)…</translation>
+    </message>
+    <message>
+        <source>Cut the pictures by a plane, to look inside: a section</source>
+        <translation>用平面剖切图像以观察内部：剖面</translation>
     </message>
 </context>
 </TS>

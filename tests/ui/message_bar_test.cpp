@@ -1,7 +1,10 @@
-// Messages over the views: information disappears by itself, warnings stay, and the bar covers no button.
+// Messages: information disappears by itself, warnings stay, and the bar covers nothing.
 #include <gtest/gtest.h>
 
+#include <QMessageBox>
+#include <QStatusBar>
 #include <QStyle>
+#include <algorithm>
 
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
@@ -11,7 +14,7 @@ namespace {
 
 constexpr int kInformationTime = 1000;  // ms
 
-struct MessageOverTheViews : ::testing::Test {
+struct MessageInTheStatusBar : ::testing::Test {
     void SetUp() override {
         window.message().setInformationTime(kInformationTime);
         window.resize(1000, 700);
@@ -31,7 +34,7 @@ struct MessageOverTheViews : ::testing::Test {
     MainWindow window{session, language, appearance};
 };
 
-TEST_F(MessageOverTheViews, informationGoesByItselfOrWhenTheUserGoesOn) {
+TEST_F(MessageInTheStatusBar, informationGoesByItselfOrWhenTheUserGoesOn) {
     say(Severity::Information);
     EXPECT_TRUE(waitUntil([&] { return !window.message().isVisible(); }));
     say(Severity::Information);
@@ -45,7 +48,7 @@ TEST_F(MessageOverTheViews, informationGoesByItselfOrWhenTheUserGoesOn) {
     EXPECT_TRUE(window.message().isVisible()) << "a click on it is to select";
 }
 
-TEST_F(MessageOverTheViews, warningsAndErrorsStayUntilTheyAreClosed) {
+TEST_F(MessageInTheStatusBar, warningsAndErrorsStayUntilTheyAreClosed) {
     for (const Severity severity : {Severity::Warning, Severity::Error}) {
         say(Severity::Information);
         say(severity);
@@ -53,28 +56,40 @@ TEST_F(MessageOverTheViews, warningsAndErrorsStayUntilTheyAreClosed) {
         QTest::keyClick(&window.views(), Qt::Key_Space);
         QTest::qWait(kInformationTime + 500);
         EXPECT_TRUE(window.message().isVisible());
-        auto* close = window.message().findChild<QToolButton*>();
-        ASSERT_TRUE(close);
+        const QList<QToolButton*> buttons = window.message().findChildren<QToolButton*>();
+        auto* close = *std::ranges::find(buttons, QString(), &QToolButton::text);
         QTest::mouseClick(close, Qt::LeftButton);
         EXPECT_FALSE(window.message().isVisible());
     }
 }
 
-TEST_F(MessageOverTheViews, theStatisticsButtonLiesBesideIt) {
-    say(Severity::Error);
+TEST_F(MessageInTheStatusBar, coversNothingAndTakesNoRoomFromTheViews) {
+    const QString words = QStringLiteral("what is wrong with it is told in a long sentence ").repeated(8);
     for (const int width : {1000, 1700, 900}) {
         window.resize(width, 650);
+        window.message().hide();
         QApplication::processEvents();
-        const auto placed = [&](const QWidget& widget) { return QRect(widget.mapTo(&window, QPoint()), widget.size()); };
-        const QRect message = placed(window.message());
-        int buttons = 0;
-        for (const auto* button : window.findChildren<QToolButton*>()) {
-            if (button->defaultAction() != window.statistics().toggleViewAction() || !button->isVisible()) continue;
-            ++buttons;
-            EXPECT_FALSE(message.intersects(placed(*button))) << width;
+        const QSize before = window.views().size();
+        const int height = window.statusBar()->height();
+        for (const QString& text : {QStringLiteral("short"), words}) {
+            session.raise(Severity::Error, Message{"Saved %1", {text.toStdString()}});
+            QApplication::processEvents();
+            const auto placed = [&](const QWidget& widget) { return QRect(widget.mapTo(&window, QPoint()), widget.size()); };
+            EXPECT_EQ(window.views().size(), before) << width;
+            EXPECT_EQ(window.statusBar()->height(), height) << width;
+            EXPECT_TRUE(placed(*window.statusBar()).contains(placed(window.message()))) << width;
+            EXPECT_FALSE(placed(*window.centralWidget()).intersects(placed(window.message()))) << width;
+            EXPECT_TRUE(window.message().text().contains(text));
+            EXPECT_EQ(window.message().whole().isVisible(), text == words) << width;
+            for (const auto* label : window.message().findChildren<QLabel*>())
+                EXPECT_LE(QFontMetrics(label->font()).horizontalAdvance(label->text()), label->width() + 1) << width;
         }
-        EXPECT_EQ(buttons, 1);
-        EXPECT_TRUE(placed(*window.views().parentWidget()).contains(message)) << width;
+        QTest::mouseClick(&window.message().whole(), Qt::LeftButton);
+        auto* box = window.findChild<QMessageBox*>();
+        ASSERT_TRUE(box);
+        EXPECT_TRUE(box->text().contains(words));
+        box->close();
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
 }
 

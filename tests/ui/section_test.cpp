@@ -14,6 +14,7 @@ namespace {
 
 struct SectionOfViews : ::testing::Test {
     void SetUp() override {
+        session.setViewCount(1);
         view.resize(400, 300);
         view.show();
         ASSERT_TRUE(waitUntil([&] { return session.viewport(0).width > 1; }));

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QMessageBox>
 #include <QStyle>
 #include <QUrl>
 
@@ -15,6 +16,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kSymbol = 16;  // pixels
+constexpr int kBeside = 10;  // pixels between the parts, or more
 
 /// Whether an event shows that the user continues to work: a click or a key press.
 bool goesOn(QEvent::Type type) {
@@ -25,16 +27,16 @@ bool goesOn(QEvent::Type type) {
 
 MessageBar::MessageBar(QStatusBar& bar)
     : QFrame(&bar),
-      m_bar(bar),
-      m_usualHeight(bar.minimumHeight()),
       m_icon(new QLabel(this)),
       m_text(new QLabel(this)),
       m_take(new QToolButton(this)),
+      m_whole(new QToolButton(this)),
       m_close(new QToolButton(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 1, 4, 1);
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
+    layout->addWidget(m_whole);
     layout->addWidget(m_take);
     layout->addWidget(m_close);
     m_take->hide();
@@ -50,7 +52,9 @@ MessageBar::MessageBar(QStatusBar& bar)
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     m_text->setForegroundRole(QPalette::ToolTipText);
-    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    connect(m_whole, &QToolButton::clicked, this, &MessageBar::showWhole);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_close->setAutoRaise(true);
     m_close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
@@ -94,22 +98,45 @@ void MessageBar::refresh() {
                                           : m_severity == Severity::Warning ? QStyle::SP_MessageBoxWarning
                                                                             : QStyle::SP_MessageBoxInformation;
     m_icon->setPixmap(style()->standardIcon(symbol).pixmap(kSymbol, kSymbol));
-    m_text->setText(translated(m_message));
-    m_text->setAccessibleName(m_text->text());
+    m_text->setAccessibleName(translatedText());
+    m_text->setToolTip(translatedText());
+    m_whole->setText(tr("All of it…"));
     m_take->setText(translated(m_action));
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(m_close->toolTip());
-    makeRoom();
+    fit();
 }
 
-void MessageBar::makeRoom() {
-    const int needed = isVisibleTo(&m_bar) && width() > 0 ? layout()->totalHeightForWidth(width()) : 0;
-    m_bar.setFixedHeight(std::max(m_usualHeight, needed));
+QString MessageBar::translatedText() const { return translated(m_message); }
+
+void MessageBar::fit() {
+    const QString text = translatedText();
+    const QFontMetrics metrics(m_text->font());
+    const auto without = [&](const QWidget& hidden) {
+        int room = width() - kSymbol - kBeside;
+        for (const QWidget* button : {m_whole, m_take, m_close})
+            if (button != &hidden && (button == m_whole || !button->isHidden())) room -= button->sizeHint().width() + kBeside;
+        return room;
+    };
+    const bool all = metrics.horizontalAdvance(text) <= without(*m_whole);
+    m_whole->setVisible(!all);
+    m_text->setText(all ? text : metrics.elidedText(text, Qt::ElideRight, without(*this)));
+}
+
+void MessageBar::showWhole() {
+    auto* box = new QMessageBox(m_severity == Severity::Error     ? QMessageBox::Critical
+                                : m_severity == Severity::Warning ? QMessageBox::Warning
+                                                                  : QMessageBox::Information,
+                                tr("Message"), translatedText(), QMessageBox::Close, window());
+    box->setTextFormat(Qt::PlainText);
+    box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
 }
 
 void MessageBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    makeRoom();
+    fit();
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
@@ -127,7 +154,6 @@ void MessageBar::hideEvent(QHideEvent* event) {
     if (!event->spontaneous()) {
         m_end.stop();
         qApp->removeEventFilter(this);
-        m_bar.setFixedHeight(m_usualHeight);
     }
     QFrame::hideEvent(event);
 }

@@ -14,13 +14,13 @@
 namespace cullscope::ui {
 
 /// Shows one sentence in a status bar until the user closes it or another sentence replaces it. Information also disappears after
-/// six seconds (setInformationTime), or at the next click or key press in the window. The bar never blocks the user and covers
-/// nothing: a sentence of one line takes no room from the views, and for a longer one the status bar grows meanwhile.
+/// six seconds (setInformationTime), or at the next click or key press in the window. The bar never blocks the user, covers
+/// nothing, and takes no room from the views: what is longer than its line ends in dots, with a button that shows all of it.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
-    /// Joins the status bar, whose height is fixed before.
+    /// Joins the status bar.
     explicit MessageBar(QStatusBar& bar);
 
     /// How long information stays; 6000 unless it is set.
@@ -35,7 +35,9 @@ public:
     void setFolderOpener(std::function<void(const QString&)> open) { m_openFolder = std::move(open); }
     /// The button; hidden where nothing is offered.
     [[nodiscard]] QToolButton& offered() { return *m_take; }
-    [[nodiscard]] QString text() const { return m_text->text(); }
+    [[nodiscard]] QString text() const { return translatedText(); }
+    /// The button that shows a sentence that is longer than the line; hidden where all of it is shown.
+    [[nodiscard]] QToolButton& whole() { return *m_whole; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -45,14 +47,15 @@ protected:
 
 private:
     void refresh();
-    /// Gives the status bar the height that the sentence needs.
-    void makeRoom();
+    [[nodiscard]] QString translatedText() const;
+    /// Shows as much of the sentence as the line has room for.
+    void fit();
+    void showWhole();
 
-    QStatusBar& m_bar;
-    int m_usualHeight;  ///< of the status bar
     QLabel* m_icon;
     QLabel* m_text;
     QToolButton* m_take;
+    QToolButton* m_whole;
     QToolButton* m_close;
     std::string m_action;
     std::function<void()> m_taken;
