@@ -79,6 +79,7 @@ void addProjectionOptions(CLI::App& command, ProjectionOptions& options, const s
 struct RunOptions {
     std::string path;  ///< empty: the scene's default
     std::string size = "640x480", upload = "vbo";
+    std::string windowViews = "one";
     int windows = 1, repeat = 0;
     double fovx = 0.0;  ///< degrees; 0: the path's own field of view
     ProjectionOptions projection;

@@ -195,6 +195,9 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
     command.add_option("--windows", options.windows, "pictures a frame: 1, 4 or 8")
         ->check(CLI::IsMember({1, 4, 8}))
         ->capture_default_str();
+    command.add_option("--window-views", options.windowViews, "of several windows: one view, or different ones of the path")
+        ->check(CLI::IsMember({"one", "different"}))
+        ->capture_default_str();
     command.add_option("--upload", options.upload, "vbo or vertex-array")
         ->check(CLI::IsMember({"vbo", "vertex-array"}))
         ->capture_default_str();

@@ -135,6 +135,7 @@ MeasureRequest requestOf(const MeasureOptions& options) {
     request.strategies = strategiesOf(options.strategies, options.parameters);
     request.size = options.run.viewport();
     request.windows = options.run.windows;
+    request.differentViews = options.run.windowViews == "different";
     request.upload = options.run.uploadBy();
     request.timing.fixedRepetitions = options.run.repeat;
     request.accuracy = !options.noAccuracy;

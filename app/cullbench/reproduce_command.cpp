@@ -40,7 +40,8 @@ std::vector<const Experiment*> chosen(const std::string& id) {
 class TablePrinter {
 public:
     explicit TablePrinter(const TableFiles& files)
-        : m_out(tableOutput(files)), m_forFiles(!files.json.empty() || !files.csv.empty() || !files.svg.empty()) {}
+        : m_out(tableOutput(files)),
+          m_forFiles(!files.json.empty() || !files.csv.empty() || !files.svg.empty() || !files.png.empty()) {}
 
     void print(const ResultTable& table) {
         if (m_readerGone) return;
@@ -74,20 +75,21 @@ void reproduceAll(const std::vector<const Experiment*>& experiments, const Exper
 }
 
 /// Throws Error(Usage) for a plot file where none of the experiments has a plot.
-void checkPlots(const std::vector<const Experiment*>& experiments) {
+void checkPlots(const char* option, const std::vector<const Experiment*>& experiments) {
     const auto has = [](const Experiment& experiment) { return !experiment.plots.empty(); };
     if (std::any_of(experiments.begin(), experiments.end(), [&](const Experiment* each) { return has(*each); })) return;
     std::string known;
     for (const Experiment& experiment : knownExperiments())
         if (has(experiment)) known += (known.empty() ? "" : ", ") + experiment.id;
-    throwUsage(CULLSCOPE_TR("--svg: %1 has a table and no plot. With a plot: %2."), {experiments.front()->id, known});
+    throwUsage(CULLSCOPE_TR("%1: %2 has a table and no plot. With a plot: %3."), {option, experiments.front()->id, known});
 }
 
 void run(const CommandOptions& options, Context& context) {
     std::optional<Experiment> own;
     if (!options.scene.empty()) own = ofScene(options.experiment, options.scene);
     const std::vector<const Experiment*> experiments = own ? std::vector<const Experiment*>{&*own} : chosen(options.experiment);
-    if (!options.files.svg.empty()) checkPlots(experiments);
+    for (const auto& [option, file] : {std::pair("--svg", options.files.svg), std::pair("--png", options.files.png)})
+        if (!file.empty()) checkPlots(option, experiments);
     if (!options.files.csv.empty() && experiments.size() > 1)
         throwUsage(CULLSCOPE_TR("--csv has the rows of one experiment: name it in place of %1."), {options.experiment});
     checkTableFiles(options.files);
@@ -118,6 +120,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     command->add_option("--json", options->files.json, "result file; - is standard output");
     command->add_option("--csv", options->files.csv, "result file with the rows of one experiment; - is standard output");
     command->add_option("--svg", options->files.svg, "the plots of experiments that have one; - is standard output");
+    command->add_option("--png", options->files.png, "the same as one picture: .png, .jpg or .tif; - is standard output (PNG)");
     command->callback([options, &context] { run(*options, context); });
 }
 

@@ -87,6 +87,7 @@ void run(const SweepOptions& options, Context& context) {
     Setting& setting = experiment.settings.front();
     setting.size = options.run.viewport();
     setting.windows = options.run.windows;
+    setting.differentViews = options.run.windowViews == "different";
     setting.upload = options.run.uploadBy();
     setting.limitToo = !options.noLimit;
     checkTableFiles(options.files);

@@ -8,9 +8,12 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/image/page.h"
 
 namespace cullscope::cullbench {
 namespace {
+
+constexpr double kLetters = 13.0;  // pixels
 
 /// The options whose file is standard output.
 std::vector<std::string> onStandardOutput(const TableFiles& files) {
@@ -18,6 +21,7 @@ std::vector<std::string> onStandardOutput(const TableFiles& files) {
     if (files.json == "-") options.emplace_back("--json");
     if (files.csv == "-") options.emplace_back("--csv");
     if (files.svg == "-") options.emplace_back("--svg");
+    if (files.png == "-") options.emplace_back("--png");
     return options;
 }
 
@@ -33,7 +37,8 @@ void checkTableFiles(const TableFiles& files) {
     if (const std::vector<std::string> options = onStandardOutput(files); options.size() > 1)
         throwUsage(CULLSCOPE_TR("%1 and %2 cannot both go to standard output: name a file for one of them."),
                    {options[0], options[1]});
-    checkOutputPlaces({files.json, files.csv, files.svg});
+    checkOutputPlaces({files.json, files.csv, files.svg, files.png});
+    if (!files.png.empty()) requirePictureFormat(files.png);
 }
 
 FILE* tableOutput(const TableFiles& files) { return onStandardOutput(files).empty() ? stdout : stderr; }
@@ -54,6 +59,14 @@ void writeTables(const TableFiles& files, const std::vector<ResultTable>& tables
     writeTo(files.csv, [&] { return rowsCsv(tables.front()); });
     if (const std::vector<LinePlot> plots = plotsOf(tables); !plots.empty())
         writeTo(files.svg, [&] { return linePlotsSvg(plots); });
+    if (const std::vector<LinePlot> plots = plotsOf(tables); !plots.empty() && !files.png.empty()) {
+        const Letters letters(kLetters);
+        try {
+            writePicture(files.png, pagePicture(linePlotsPage(plots, pageStyle(letters)), letters));
+        } catch (const Error& error) {
+            failure = error;
+        }
+    }
     if (failure) throw *failure;
 }
 

@@ -10,7 +10,7 @@ namespace cullscope::cullbench {
 
 /// The files that tables of experiments are written to; empty: none. - is standard output.
 struct TableFiles {
-    std::string json, csv, svg;
+    std::string json, csv, svg, png;
 };
 
 /// Throws Error(Usage) where two of them are standard output, or one cannot be written.

@@ -87,6 +87,8 @@ std::vector<ResultColumn> columns() {
             {"culled_fraction_max", CULLSCOPE_TR("culled max, %"), Origin::Measured, 1, 100.0},
             {"paper_cull_share", CULLSCOPE_TR("paper: culling, % of the frame"), Origin::Stated, 0, 100.0},
             {"cull_share", CULLSCOPE_TR("culling, % of the frame"), Origin::Measured, 2, 100.0},
+            {"hit_records", CULLSCOPE_TR("hit records, mean"), Origin::Measured, 1},
+            {"hit_buffer_overflows", CULLSCOPE_TR("overflows of the hit buffer"), Origin::Measured},
             {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
             {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured},
             {"poses", CULLSCOPE_TR("views"), Origin::Measured}};
@@ -154,6 +156,20 @@ std::vector<double> limitsOf(const RunMeasurement& run, const Scene& scene) {
     return limits;
 }
 
+/// Of a strategy that draws boxes for selection: the mean of its hit records, and how often its hit buffer was too small.
+void addHitRecords(Row& cells, const RunMeasurement& run) {
+    double records = 0.0, overflows = 0.0;
+    bool any = false;
+    for (const FrameMeasurement& frame : run.frames)
+        for (const NamedFigure& figure : frame.figures) {
+            if (figure.name == "hit_records") records += figure.value, any = true;
+            if (figure.name == "hit_buffer_overflows") overflows += figure.value;
+        }
+    if (!any) return;
+    cells["hit_records"] = records / double(run.frames.size());
+    cells["hit_buffer_overflows"] = overflows;
+}
+
 Rows cullingRows(const Setting& setting, const MeasureResult& result) {
     const RunMeasurement* all = directRendering(result);
     Rows rows;
@@ -166,6 +182,7 @@ Rows cullingRows(const Setting& setting, const MeasureResult& result) {
         const std::vector<double> limits = limitsOf(run, *result.request.scene);
         cells["no_culling_exceeds"] = std::accumulate(limits.begin(), limits.end(), 0.0) / double(limits.size());
         cells["no_culling_exceeds_max"] = *std::ranges::max_element(limits);
+        addHitRecords(cells, run);
         rows.push_back(std::move(cells));
     }
     return rows;

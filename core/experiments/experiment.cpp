@@ -171,6 +171,7 @@ MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene,
     request.path = path;
     request.size = setting.size;
     request.windows = setting.windows;
+    request.differentViews = setting.differentViews;
     request.upload = setting.upload;
     request.timing = setting.timing;
     if (repetitions > 0) request.timing.fixedRepetitions = repetitions;

@@ -43,6 +43,7 @@ struct Setting {
     std::function<CameraPath(const Scene& scene)> views{};  ///< in place of the camera path of that name
     Viewport size{};
     int windows = 1;
+    bool differentViews = false;  ///< MeasureRequest
     Upload upload = Upload::Vbo;
     TimingProtocol timing{};                                              ///< but for the repetitions where the user states them
     bool baselinesToo = false;                                            ///< MeasureRequest

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/experiments/bsp_planes.h"
 #include "core/experiments/cho_figure_6.h"
+#include "core/experiments/han_hong_layouts.h"
 #include "core/experiments/han_hong_readings.h"
 #include "core/experiments/han_hong_tables.h"
 #include "core/experiments/han_hong_views.h"
@@ -15,6 +16,7 @@ namespace cullscope {
 const std::vector<Experiment>& knownExperiments() {
     static const std::vector<Experiment> kExperiments = [] {
         std::vector<Experiment> experiments = hanHongTables();
+        experiments.push_back(han_hong::tableLayouts());
         experiments.push_back(han_hong::tableViews());
         experiments.push_back(sphericalReadings());
         experiments.push_back(sphericalDomain());

@@ -79,8 +79,7 @@ private:
         double height = 0.0;
         PlotDrawing chart = drawFlowChart(strategy().info().first(Show::Kind::Listing)->chart, line, inner(), height,
                                           m_look.style, {}, [this](const std::string& text) { return m_look.say({text}); });
-        // Drawn from the upper left corner: moved to its place.
-        for (auto& item : chart.items) std::visit([this](auto& each) { move(each); }, item);
+        moveBy(chart, {kMargin, m_bottom});
         std::ranges::move(chart.items, std::back_inserter(m_page.drawing.items));
         m_bottom += height;
         m_bottom =
@@ -91,16 +90,6 @@ private:
                        {{Shape::Area, FlowColours{}.structure}, say(CULLSCOPE_TR("structure"))}},
                       {kMargin, m_bottom + 4.0}, inner(), m_look.style);
     }
-    void move(PlotPoint& point) const {
-        point.x += kMargin;
-        point.y += m_bottom;
-    }
-    void move(DrawnPath& path) const {
-        for (PlotPoint& point : path.points) move(point);
-    }
-    void move(DrawnDisc& disc) const { move(disc.centre); }
-    void move(DrawnText& text) const { move(text.at); }
-
     void model() {
         const View view(wholeView().camera(), pictureSize());
         const FrameLog log = frameOfAll(view);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/experiments/han_hong_rows.h"
+#include "core/visibility/spherical/map_coordinates.h"
 #include "core/visibility/spherical/readings.h"
 #include "core/visibility/strategy_request.h"
 
@@ -51,11 +52,21 @@ CameraPath viewsNearTheEdge(const Scene& scene) {
 /// `spherical` as it reads the paper by default, and with each other reading alone.
 std::vector<std::string> readings() {
     std::vector<std::string> result{"spherical"};
-    for (const ParameterDeclaration& parameter : spherical::readingParameters())
+    std::vector<ParameterDeclaration> parameters = spherical::readingParameters();
+    std::ranges::move(spherical::coordinateParameters(), std::back_inserter(parameters));
+    for (const ParameterDeclaration& parameter : parameters)
         for (const ParameterDeclaration::Choice& choice : parameter.choices)
             if (choice.id != std::get<std::string>(parameter.defaultValue))
                 result.push_back(fmt::format("spherical:{}={}", parameter.key, choice.id));
     return result;
+}
+
+/// The share of the frames in which the region between corner rays was drawn; in the others bands decided, or all was drawn.
+double shareWithRegion(const RunMeasurement& run) {
+    const auto drawn = std::ranges::count_if(run.frames, [](const FrameMeasurement& frame) {
+        return std::ranges::any_of(frame.figures, [](const NamedFigure& figure) { return figure.name == "case"; });
+    });
+    return double(drawn) / double(run.frames.size());
 }
 
 Setting settingOf(const char* path, Viewport size) {
@@ -113,7 +124,7 @@ Experiment sphericalDomain() {
             "of none, contour bands decide.")),
         lossNote()};
     Axis distances{kDistance, CULLSCOPE_TR("distance, radii"), Axis::Kind::Label,
-                   axisValues(std::array{1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0})};
+                   axisValues(std::array{1.05, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0})};
     Axis fields{kField, CULLSCOPE_TR("field of view, °"), Axis::Kind::Label,
                 axisValues(std::array{10.0, 20.0, 35.0, 45.0, 65.0, 90.0})};
     Axis strategies{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
@@ -130,31 +141,37 @@ Experiment sphericalDomain() {
     experiment.columns = timedColumns(experiment.axes, {});
     experiment.rowsOfRuns = [](const Setting& setting, const MeasureResult& result) {
         Rows rows = sphericalRows(setting, result);
-        for (Row& row : rows)
+        for (size_t i = 0; i < rows.size(); ++i) {
+            Row& row = rows[i];
             row["considered_share"] =
                 std::get<double>(row.at("considered_triangles")) / double(result.request.scene->triangleCount());
+            if (row.contains("rays_hit") || row["strategy"] == CellValue(std::string("spherical")))
+                row["region_share"] = shareWithRegion(result.runs[i]);
+            if (!row.contains("rays_hit") && row.contains("region_share")) row["rays_hit"] = 0.0;
+        }
         return rows;
     };
     experiment.columns.insert(experiment.columns.begin() + 4,
-                              {"considered_share", CULLSCOPE_TR("share of the faces"), Origin::Measured, 3});
-    const auto map = [](const char* title, const char* column, const char* words) {
+                              {{"region_share", CULLSCOPE_TR("region between rays, share of the views"), Origin::Measured, 2},
+                               {"considered_share", CULLSCOPE_TR("share of the faces"), Origin::Measured, 3}});
+    const auto map = [](const char* title, const char* column, double scale, int decimals) {
         RowPlot plot;
         plot.plot.title = title;
-        plot.plot.x = {CULLSCOPE_TR("distance, radii"), PlotScale::Linear, 0.0, 0.0, true};
-        plot.plot.y = {words, PlotScale::Linear, 0.0, 0.0, true};
+        plot.plot.x = {CULLSCOPE_TR("distance, radii"), PlotScale::Linear};
+        plot.plot.y = {CULLSCOPE_TR("field of view, °"), PlotScale::Linear};
         plot.x = kDistance;
+        plot.cellsOver = kField;
         plot.y = {{column}};
-        plot.lines = {kField};
         plot.rows = {{"strategy", {CellValue(std::string("spherical"))}}};
-        plot.byX = true;
+        plot.scale = scale;
+        plot.decimals = decimals;
         return plot;
     };
-    experiment.plots = {
-        map(CULLSCOPE_TR("Corner rays that hit, by field of view in degrees"), "rays_hit", CULLSCOPE_TR("rays that hit, of 4")),
-        map(CULLSCOPE_TR("Faces considered, by field of view in degrees"), "considered_share",
-            CULLSCOPE_TR("share of the faces")),
-        map(CULLSCOPE_TR("Lost pixels, by field of view in degrees"), "missed_pixel_rate", CULLSCOPE_TR("missed pixels, share")),
-        map(CULLSCOPE_TR("Speed against all, by field of view in degrees"), "ratio_to_all", CULLSCOPE_TR("× all"))};
+    experiment.plots = {map(CULLSCOPE_TR("Views in which the region between rays is drawn, %"), "region_share", 100.0, 0),
+                        map(CULLSCOPE_TR("Corner rays that hit, of 4"), "rays_hit", 1.0, 1),
+                        map(CULLSCOPE_TR("Faces considered, %"), "considered_share", 100.0, 0),
+                        map(CULLSCOPE_TR("Lost pixels, %"), "missed_pixel_rate", 100.0, 1),
+                        map(CULLSCOPE_TR("Speed, × all"), "ratio_to_all", 1.0, 2)};
     experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
     return experiment;
 }

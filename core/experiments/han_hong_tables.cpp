@@ -78,6 +78,10 @@ Message disagreementNote() {
 
 // ---- Table 1
 
+/// A label of settings of several windows, and its values.
+constexpr const char* kWindowViews = "window_views";
+constexpr const char *kOneView = CULLSCOPE_TR("one"), *kDifferent = CULLSCOPE_TR("different");
+
 constexpr const char* kModel = CULLSCOPE_TR("model");
 constexpr std::array kMaps{CULLSCOPE_TR("centroid map"), CULLSCOPE_TR("triangle index map"), CULLSCOPE_TR("memory access map")};
 constexpr const char* kThreeMaps = CULLSCOPE_TR("the three maps");
@@ -180,12 +184,16 @@ void addTimed(Experiment& experiment, const Setting& setting) {
     experiment.settings.push_back(settingsOf(inTurns, setting).front());
 }
 
-void addCases(Experiment& experiment, const Cases& rows, Viewport size, int windows, double field = kNarrow) {
+/// `different`: the windows show different views of a case's path; of one window nothing else can be.
+void addCases(Experiment& experiment, const Cases& rows, Viewport size, int windows, double field = kNarrow,
+              bool different = false) {
     for (size_t i = 0; i < rows.size(); ++i) {
         Setting setting = timedSetting("", size, windows, Upload::Vbo);
         setting.path = fmt::format("considered-{}, {:g}°", i + 1, field);
         setting.views = [i, field](const Scene& scene) { return viewsOfCase(scene, tableCases()[i], Angle::fromDegrees(field)); };
         setting.labels["case"] = double(i + 1);
+        setting.differentViews = different;
+        if (windows > 1) setting.labels[kWindowViews] = std::string(different ? kDifferent : kOneView);
         setting.labels[kField] = field;
         setting.stated["all"] = {{"paper_fps", rows[i].fpsAll}};
         setting.stated["spherical"] = {{"paper_fps", rows[i].fpsProposed},
@@ -202,6 +210,21 @@ Experiment casesExperiment(const char* id, const char* title, const char* table)
     experiment.notes = {facesNote(), consideredNote(), pathsNote(), baselineNote(), lossNote(), machineNote()};
     experiment.rowsOfRuns = sphericalRows;
     return experiment;
+}
+
+/// Of several windows: the paper does not say whether they show the same.
+Axis windowViewsAxis() {
+    return {
+        kWindowViews, CULLSCOPE_TR("views of the windows"), Axis::Kind::Label, {std::string(kOneView), std::string(kDifferent)}};
+}
+Message windowViewsNote() {
+    return note(
+        CULLSCOPE_TR("The paper does not say whether its windows show one view or different ones: both are measured. "
+                     "Different ones are spread evenly over a case's twelve views."));
+}
+/// One view, then different ones.
+void addWindowCases(Experiment& experiment, const Cases& rows, Viewport size, int windows) {
+    for (const bool different : {false, true}) addCases(experiment, rows, size, windows, kNarrow, different);
 }
 
 Axis caseAxis() { return {"case", CULLSCOPE_TR("case"), Axis::Kind::Label, {1.0, 2.0, 3.0}}; }
@@ -224,22 +247,27 @@ Experiment table2() {
 
 Experiment table3() {
     Experiment experiment = casesExperiment("table-3", CULLSCOPE_TR("Four windows, of two sizes"), "Table 3");
-    experiment.axes = {
-        {"size", CULLSCOPE_TR("size"), Axis::Kind::Label, {sizeText(kSmall), sizeText(kLarge)}}, caseAxis(), paperStrategies()};
+    experiment.axes = {{"size", CULLSCOPE_TR("size"), Axis::Kind::Label, {sizeText(kSmall), sizeText(kLarge)}},
+                       windowViewsAxis(),
+                       caseAxis(),
+                       paperStrategies()};
     experiment.columns = timedColumns(experiment.axes, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
-    addCases(experiment, kTable3Small, kSmall, 4);
-    addCases(experiment, kTable3Large, kLarge, 4);
+    experiment.notes.insert(experiment.notes.begin() + 2, windowViewsNote());
+    addWindowCases(experiment, kTable3Small, kSmall, 4);
+    addWindowCases(experiment, kTable3Large, kLarge, 4);
     return experiment;
 }
 
 Experiment table4() {
     Experiment experiment = casesExperiment("table-4", CULLSCOPE_TR("Four and eight windows of 320 × 240"), "Table 4");
-    experiment.axes = {{"windows", CULLSCOPE_TR("windows"), Axis::Kind::Label, {4.0, 8.0}}, caseAxis(), paperStrategies()};
+    experiment.axes = {
+        {"windows", CULLSCOPE_TR("windows"), Axis::Kind::Label, {4.0, 8.0}}, windowViewsAxis(), caseAxis(), paperStrategies()};
     experiment.columns = timedColumns(experiment.axes, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
-    addCases(experiment, kTable4Four, kSmall, 4);
-    addCases(experiment, kTable4Eight, kSmall, 8);
+    experiment.notes.insert(experiment.notes.begin() + 2, windowViewsNote());
+    addWindowCases(experiment, kTable4Four, kSmall, 4);
+    addWindowCases(experiment, kTable4Eight, kSmall, 8);
     return experiment;
 }
 

@@ -98,6 +98,7 @@ Json runHead(const RunMeasurement& run, const MeasureRequest& request) {
             {"width", request.size.width},
             {"height", request.size.height},
             {"windows", request.windows},
+            {"window_views", request.differentViews ? "different" : "one"},
             {"upload", request.upload == Upload::Vbo ? "vbo" : "vertex-array"},
             {"build_ms", run.structure.buildMilliseconds},
             {"structure_bytes", run.structure.bytes}};

@@ -5,15 +5,20 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+
+#include "core/image/cell_map_picture.h"
 
 namespace cullscope {
 namespace {
 
-/// What rows have in columns, as words: rows with the same words are together.
-using Words = std::vector<std::string>;
+constexpr size_t kSteps = 8;  ///< colours of cells
 
-Words wordsOf(const ResultTable& table, size_t row, const std::vector<std::string>& columns) {
-    Words words;
+/// What rows have in columns, as words: rows with the same words are together.
+using RowWords = std::vector<std::string>;
+
+RowWords wordsOf(const ResultTable& table, size_t row, const std::vector<std::string>& columns) {
+    RowWords words;
     for (const std::string& column : columns) {
         const CellValue value = table.value(row, column);
         const std::optional<double> number = numberOf(value);
@@ -24,17 +29,17 @@ Words wordsOf(const ResultTable& table, size_t row, const std::vector<std::strin
 }
 
 /// Those of the filtered rows, each once, in the rows' order.
-std::vector<Words> differentWords(const ResultTable& table, const RowFilter& filter, const std::vector<std::string>& columns) {
-    std::vector<Words> different;
+std::vector<RowWords> differentWords(const ResultTable& table, const RowFilter& filter, const std::vector<std::string>& columns) {
+    std::vector<RowWords> different;
     for (size_t row = 0; row < table.rows.size(); ++row) {
         if (!passes(table, row, filter)) continue;
-        Words words = wordsOf(table, row, columns);
+        RowWords words = wordsOf(table, row, columns);
         if (std::find(different.begin(), different.end(), words) == different.end()) different.push_back(std::move(words));
     }
     return different;
 }
 
-std::string lineName(const Words& group, const std::string& column) {
+std::string lineName(const RowWords& group, const std::string& column) {
     std::string name;
     for (const std::string& word : group)
         if (!word.empty()) name += (name.empty() ? "" : ", ") + word;
@@ -43,7 +48,7 @@ std::string lineName(const Words& group, const std::string& column) {
 }
 
 /// The rows of a filter whose words in both lists of columns are these.
-ResultTable rowsWith(const RowPlot& described, const ResultTable& table, const Words& separate, const Words& group) {
+ResultTable rowsWith(const RowPlot& described, const ResultTable& table, const RowWords& separate, const RowWords& group) {
     ResultTable chosen;
     chosen.columns = table.columns;
     for (size_t row = 0; row < table.rows.size(); ++row)
@@ -88,16 +93,70 @@ void placeZeros(LinePlot& plot) {
 }
 
 /// Puts values into the places %1, %2, … of the title.
-void fillTitle(LinePlot& plot, const Words& values) {
+void fillTitle(LinePlot& plot, const RowWords& values) {
     if (values.empty()) return;
     plot.heading = {plot.title, values};
     plot.title = plot.heading.english();
 }
 
-LinePlot plotOf(const RowPlot& described, const ResultTable& table, const Words& separate) {
+/// The different numbers of a column in ascending order.
+std::vector<double> numbersOf(const ResultTable& table, const RowFilter& filter, const std::string& column) {
+    std::set<double> numbers;
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        if (const std::optional<double> number = numberOf(table.value(row, column)); number && passes(table, row, filter))
+            numbers.insert(*number);
+    return {numbers.begin(), numbers.end()};
+}
+
+/// An axis with a place of equal width for each number.
+void setPlaces(PlotAxis& axis, const std::vector<double>& numbers) {
+    axis.least = 0.0;
+    axis.most = double(numbers.size());
+    axis.ticks.clear();
+    for (size_t i = 0; i < numbers.size(); ++i) axis.ticks.push_back({double(i) + 0.5, plotNumber(numbers[i])});
+}
+
+/// Cells in the colours of equal steps between the least and the largest value.
+void addCells(LinePlot& plot, const RowPlot& described, const ResultTable& table) {
+    const std::vector<double> across = numbersOf(table, described.rows, described.x);
+    const std::vector<double> up = numbersOf(table, described.rows, described.cellsOver);
+    const std::string& column = described.y.front().key;
+    const std::vector<double> values = numbersOf(table, described.rows, column);
+    setPlaces(plot.x, across);
+    setPlaces(plot.y, up);
+    if (values.empty()) return;
+    const double least = values.front(), step = (values.back() - least) / double(kSteps);
+    const auto written = [&](double value) { return fmt::format("{:.{}f}", value * described.scale, described.decimals); };
+    for (size_t i = 0; i < kSteps && (i == 0 || step > 0.0); ++i) {
+        PlotBars bars;
+        const Vec3f colour = 255.0f * rampColour(double(i) / double(kSteps - 1), Vec3f(1.0f));
+        bars.colour = 0xFF000000 | PlotColour(colour.x) << 16 | PlotColour(colour.y) << 8 | PlotColour(colour.z);
+        bars.name = written(least + double(i) * step);
+        if (step > 0.0) bars.name += " – " + written(least + double(i + 1) * step);
+        bars.within = true;
+        plot.bars.push_back(std::move(bars));
+    }
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        const std::optional<double> x = numberOf(table.value(row, described.x)),
+                                    y = numberOf(table.value(row, described.cellsOver));
+        const std::optional<double> value = numberOf(table.value(row, column));
+        if (!x || !y || !value || !passes(table, row, described.rows)) continue;
+        const double left = double(std::ranges::lower_bound(across, *x) - across.begin());
+        const double bottom = double(std::ranges::lower_bound(up, *y) - up.begin());
+        const size_t bucket = step > 0.0 ? std::min(size_t((*value - least) / step), kSteps - 1) : 0;
+        plot.bars[bucket].boxes.push_back({left, bottom + 1.0, left + 1.0, bottom});
+        plot.bars[bucket].labels.push_back(written(*value));
+    }
+}
+
+LinePlot plotOf(const RowPlot& described, const ResultTable& table, const RowWords& separate) {
     LinePlot plot = described.plot;
     fillTitle(plot, separate);
-    for (const Words& group : differentWords(table, described.rows, described.lines)) {
+    if (!described.cellsOver.empty()) {
+        addCells(plot, described, table);
+        return plot;
+    }
+    for (const RowWords& group : differentWords(table, described.rows, described.lines)) {
         const ResultTable rows = rowsWith(described, table, separate, group);
         for (const RowPlot::Column& column : described.y) {
             PlotLine line{lineName(group, column.name), pointsOf(rows, {{}, described.x, column.key})};
@@ -133,12 +192,12 @@ std::vector<PlotPoint> pointsOf(const ResultTable& table, const RowPoints& which
 
 std::vector<LinePlot> plotsOf(const RowPlot& described, const ResultTable& table) {
     std::vector<LinePlot> plots;
-    for (const Words& separate : differentWords(table, described.rows, described.separate))
+    for (const RowWords& separate : differentWords(table, described.rows, described.separate))
         plots.push_back(plotOf(described, table, separate));
     if (!plots.empty()) return plots;
     // Which values there will be is not known before the first row.
     plots.push_back(described.plot);
-    fillTitle(plots.back(), Words(described.separate.size(), "…"));
+    fillTitle(plots.back(), RowWords(described.separate.size(), "…"));
     return plots;
 }
 

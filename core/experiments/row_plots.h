@@ -41,6 +41,11 @@ struct RowPlot {
     RowFilter rows{};                     ///< the rows shown
     std::vector<std::string> separate{};  ///< columns: a plot for each of their values, which take the title's places %1, %2, …
     std::vector<Power> powers{};
+    /// Coloured cells over two columns in place of lines: x, and this one upward; each has the value of `y`'s one column, written
+    /// in it. Empty: lines.
+    std::string cellsOver{};
+    double scale = 1.0;           ///< of what is written in cells
+    int decimals = 2;             ///< likewise
     bool namesExponents = false;  ///< a line's name ends with the exponent of its power law
     bool byX = false;             ///< a line's points are in the order of x, not of the rows
     bool zeros = false;           ///< zeros have a place on the logarithmic y axis: a decade below the rest, with the label 0

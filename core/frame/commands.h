@@ -49,12 +49,20 @@ enum class BoxQuestion {
     DepthSoFar  ///< by occlusion queries against the depth that the frame has drawn so far
 };
 
+/// The nearest and the farthest of what a hit record says of a box's faces within the view, as forward distances from the eye.
+struct HitDistances {
+    double nearest = 0.0, farthest = 0.0;
+};
+
 /// Boxes that OpenGL was asked about, and the answer. Draws nothing.
 struct AskedBoxes {
     BoxQuestion question = BoxQuestion::Samples;
     std::vector<EyeBox> boxes;
-    std::vector<uint32_t> hits;  ///< indices into `boxes`, ascending
-    bool answered = true;        ///< false: a later frame gets the answer, and `hits` is empty
+    std::vector<uint32_t> hits;             ///< indices into `boxes`, ascending
+    bool answered = true;                   ///< false: a later frame gets the answer, and `hits` is empty
+    std::vector<HitDistances> distances{};  ///< of BoxQuestion::Selection, by hit
+    size_t bufferWords = 0;                 ///< of BoxQuestion::Selection: of the hit buffer that held all records
+    int overflows = 0;                      ///< how often a smaller one was too small before
 };
 
 /// A question whose answer a later frame gets (FrameContext::ask). It is kept by the strategy, as a rule in a view's memory,

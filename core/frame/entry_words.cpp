@@ -50,6 +50,11 @@ struct CommandWords {
         if (!asked.answered)
             return {CULLSCOPE_TR("OpenGL is asked about boxes: %1; its answers come in a later frame"),
                     {Term::count(asked.boxes.size())}};
+        if (asked.bufferWords > 0)
+            return {CULLSCOPE_TR("Boxes are drawn in OpenGL's selection mode: %1; hit records: %2; the hit buffer of %3 words "
+                                 "overflowed before: %4"),
+                    {Term::count(asked.boxes.size()), Term::count(asked.hits.size()), Term::plain(asked.bufferWords),
+                     Term::count(uint64_t(asked.overflows))}};
         return {CULLSCOPE_TR("OpenGL is asked about boxes: %1; hit: %2"),
                 {Term::count(asked.boxes.size()), Term::count(asked.hits.size())}};
     }

@@ -57,7 +57,8 @@ void FrameContext::drawChosen(const GpuChoice& choice) {
 
 SelectedBoxes FrameContext::selectBoxes(std::vector<EyeBox> boxes, size_t bufferWords) {
     SelectedBoxes selected = answerSelection(boxes, bufferWords);
-    m_log.commands.emplace_back(AskedBoxes{BoxQuestion::Selection, std::move(boxes), selected.hits});
+    m_log.commands.emplace_back(AskedBoxes{BoxQuestion::Selection, std::move(boxes), selected.hits, true, selected.distances,
+                                           selected.bufferWords, selected.overflows});
     return selected;
 }
 

@@ -12,9 +12,10 @@ namespace cullscope {
 
 /// Boxes that OpenGL's selection mode hit.
 struct SelectedBoxes {
-    std::vector<uint32_t> hits;  ///< indices into the span, used as the boxes' names, ascending
-    size_t bufferWords = 0;      ///< size of the hit buffer that held all records; four words for each hit
-    int overflows = 0;           ///< how often a smaller buffer was too small
+    std::vector<uint32_t> hits;             ///< indices into the span, used as the boxes' names, ascending
+    size_t bufferWords = 0;                 ///< size of the hit buffer that held all records; four words for each hit
+    int overflows = 0;                      ///< how often a smaller buffer was too small
+    std::vector<HitDistances> distances{};  ///< by hit
 };
 
 /// What a strategy may do within a frame; writes the frame's log. Commands are executed as they come. This class executes none of

@@ -156,7 +156,13 @@ SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const EyeBox> bo
         buffer.resize(2 * buffer.size());
     }
     selected.bufferWords = buffer.size();
-    for (GLint hit = 0; hit < hits; ++hit) selected.hits.push_back(buffer[static_cast<size_t>(hit + 1) * kWordsOfAHit - 1]);
+    // A record: the number of names, the least and the largest depth as shares of 2^32 − 1, the name. Depth is reversed.
+    const auto distance = [&](GLuint depth) { return view.distanceFromDepth(double(depth) / double(~GLuint{0})); };
+    for (GLint hit = 0; hit < hits; ++hit) {
+        const GLuint* record = &buffer[static_cast<size_t>(hit) * kWordsOfAHit];
+        selected.hits.push_back(record[kWordsOfAHit - 1]);
+        selected.distances.push_back({distance(record[2]), distance(record[1])});
+    }
     return selected;
 }
 

@@ -61,6 +61,7 @@ struct PlotBars {
     PlotColour colour = 0;
     std::vector<PlotBox> boxes;
     std::vector<std::string> labels = {};  ///< by box: words behind its right end; empty: there are none
+    bool within = false;                   ///< the words stand in the boxes' middles
 };
 
 enum class PlotShape { None, Disc, Square, Triangle };

@@ -134,6 +134,18 @@ PlotStyle pageStyle(const Letters& letters) {
     return style;
 }
 
+Page linePlotsPage(const std::vector<LinePlot>& plots, const PlotStyle& style) {
+    Page page;
+    page.width = kPlotWidth;
+    for (const LinePlot& plot : plots) {
+        PlotDrawing drawing = drawPlots({plot}, kPlotWidth, kPlotHeight, style);
+        moveBy(drawing, {0.0, page.height});
+        std::ranges::move(drawing.items, std::back_inserter(page.drawing.items));
+        page.height += kPlotHeight;
+    }
+    return page;
+}
+
 std::string pageSvg(const Page& page) {
     std::string svg = svgBeginning(page.width, page.height, page.ground);
     for (const PagePicture& picture : page.pictures) svg += element(picture);

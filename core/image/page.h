@@ -29,6 +29,9 @@ struct Page {
 /// The colours of a page and its letters: those of the installed fonts.
 [[nodiscard]] PlotStyle pageStyle(const Letters& letters);
 
+/// The plots below each other, as linePlotsSvg has them.
+[[nodiscard]] Page linePlotsPage(const std::vector<LinePlot>& plots, const PlotStyle& style);
+
 /// A page as an SVG document with the pictures in it; text stays text, in a font that its viewer chooses.
 [[nodiscard]] std::string pageSvg(const Page& page);
 /// A page as a picture. `letters`: those that the page was laid out with.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/gpu/colour.h"
 #include "core/image/plot_labels.h"
 #include "core/image/plot_legend.h"
 
@@ -28,6 +29,9 @@ constexpr std::array<PlotColour, 8> kOnLight{0xFF0072B2, 0xFFC44E00, 0xFF00805A,
                                              0xFF7A5C00, 0xFF2E86C8, 0xFF5B3FA8, 0xFF8A2B2B};
 constexpr std::array<PlotColour, 8> kOnDark{0xFF56B4E9, 0xFFFF9A4D, 0xFF2BD4A4, 0xFFF0A6D0,
                                             0xFFF0E442, 0xFF8FC7FF, 0xFFB79CFF, 0xFFFF8A8A};
+
+/// Black or white letters, whichever contrasts more with a ground.
+PlotColour lettersOn(PlotColour ground) { return isLight(colourFromHexadecimal(ground & 0xFFFFFF)) ? 0xFF111111 : 0xFFFFFFFF; }
 
 /// Where a Chinese character begins, as UTF-8.
 bool beginsCharacter(char byte) { return static_cast<unsigned char>(byte) >= 0xE4 && static_cast<unsigned char>(byte) <= 0xE9; }
@@ -104,7 +108,8 @@ private:
             if (m_place.y.places(reference.y))
                 m_beyond = std::max(m_beyond, kBehind + m_style.width(m_style.number(reference.y)));
         for (const PlotBars& bars : m_plot.bars)
-            for (const std::string& label : bars.labels) m_beyond = std::max(m_beyond, kBehind + m_style.width(label));
+            for (const std::string& label : bars.within ? std::vector<std::string>() : bars.labels)
+                m_beyond = std::max(m_beyond, kBehind + m_style.width(label));
         inner.right -= m_beyond;
         if (m_plot.widest > 0.0) inner.right = std::min(inner.right, inner.left + m_plot.widest * (inner.bottom - inner.top));
         m_across = ticksOf(m_plot.x, m_place.x, (inner.right - inner.left) / (number + kNumberGap), m_style);
@@ -143,12 +148,19 @@ private:
             // Whole pixels, with a gap to the next one where there is room for it.
             const double gap = high.x - low.x > kGapFrom ? 1.0 : 0.0, left = std::round(low.x);
             const double right = std::max(left + 1.0, std::round(high.x) - gap);
-            if (i < bars.labels.size())
+            if (i < bars.labels.size() && !bars.within)
                 text(high.x + kBehind, (low.y + high.y) / 2 + m_style.ascent - m_style.height / 2, bars.labels[i],
                      TextAnchor::Start);
             if (high.x <= low.x) continue;
             m_drawing.items.push_back(
                 DrawnPath{{{left, high.y}, {right, high.y}, {right, low.y}, {left, low.y}}, {}, bars.colour});
+            // Words that do not fit into their box are left out.
+            if (i < bars.labels.size() && bars.within && m_style.width(bars.labels[i]) < right - left)
+                m_drawing.items.push_back(
+                    DrawnText{{(left + right) / 2, (low.y + high.y) / 2 + m_style.ascent - m_style.height / 2},
+                              bars.labels[i],
+                              lettersOn(bars.colour),
+                              TextAnchor::Middle});
         }
     }
 
@@ -208,6 +220,15 @@ std::vector<std::string> linesOf(const std::string& words, double width, const P
         from = to;
     }
     return lines;
+}
+
+void moveBy(PlotDrawing& drawing, const PlotPoint& by) {
+    const auto move = [&](PlotPoint& point) { point = {point.x + by.x, point.y + by.y}; };
+    for (auto& item : drawing.items) {
+        if (auto* path = std::get_if<DrawnPath>(&item)) std::ranges::for_each(path->points, move);
+        if (auto* disc = std::get_if<DrawnDisc>(&item)) move(disc->centre);
+        if (auto* text = std::get_if<DrawnText>(&item)) move(text->at);
+    }
 }
 
 PlotPoint PlotPlace::pixel(const PlotPoint& value) const {

@@ -61,6 +61,12 @@ struct PlotStyle {
 /// Colours of lines, told apart in the common deficiencies of colour vision, with a contrast of at least 3 : 1 to the ground.
 [[nodiscard]] std::span<const PlotColour> plotSeries(bool dark);
 
+/// Everything that is drawn at another place.
+void moveBy(PlotDrawing& drawing, const PlotPoint& by);
+
+/// The size of a plot in a file, pixels.
+inline constexpr double kPlotWidth = 960.0, kPlotHeight = 480.0;
+
 /// Draws plots beside each other, below each other where there is little width, with the first one's legend for all of them:
 /// beside them where they are wide, else below. No text is cut. One plot at least.
 [[nodiscard]] PlotDrawing drawPlots(const std::vector<LinePlot>& plots, double width, double height, const PlotStyle& style);

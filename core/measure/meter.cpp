@@ -183,13 +183,18 @@ private:
 
     void beginPose() {
         const View view(m_request.path.camera(m_poses), m_request.size);
+        // A window behind the first one has the view of a later pose, evenly spread over the path.
+        std::vector<View> others;
+        const size_t count = m_request.path.poses.size();
+        for (size_t window = 1; m_request.differentViews && window < m_targets.size(); ++window)
+            others.emplace_back(m_request.path.camera((m_poses + window * count / m_targets.size()) % count), m_request.size);
         std::vector<size_t> numbers;
         std::vector<ViewSubject> subjects;
         for (size_t i = 0; i < m_runs.size(); ++i) {
             if (m_taking[i].ended) continue;
             const Contestant& contestant = m_contestants.strategies[i];
             numbers.push_back(i);
-            subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i])});
+            subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i]), others});
             subjects.back().judged = m_request.accuracy && contestant.askedFor;
         }
         TimingProtocol protocol = m_request.timing;

@@ -23,7 +23,8 @@ struct MeasureRequest {
     std::vector<StrategyRequest> strategies;
     CameraPath path;
     Viewport size;
-    int windows = 1;  ///< pictures of that size in each frame
+    int windows = 1;              ///< pictures of that size in each frame
+    bool differentViews = false;  ///< of the windows: the pose's and others of the path; false: all show the pose
     Upload upload = Upload::Vbo;
     TimingProtocol timing;
     bool accuracy = true;

@@ -9,7 +9,8 @@ FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const B
     std::vector<std::unique_ptr<GpuFrame>> frames;
     const auto start = std::chrono::steady_clock::now();
     for (const FrameTarget& picture : pictures) {
-        frames.push_back(std::make_unique<GpuFrame>(renderer, buffers, view, *picture.target, style));
+        frames.push_back(std::make_unique<GpuFrame>(renderer, buffers, picture.view != nullptr ? *picture.view : view,
+                                                    *picture.target, style));
         frames.back()->stopBy(stop);
         strategy.draw(*frames.back(), *picture.state);
     }

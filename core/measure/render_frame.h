@@ -18,6 +18,7 @@ struct FrameResult {
 struct FrameTarget {
     Framebuffer* target = nullptr;
     ViewState* state = nullptr;
+    const View* view = nullptr;  ///< of the same size; null: that of the frame
 };
 
 /// Runs a strategy's frame, culling and drawing for each picture, and waits for the GPU. There is at least one picture. Throws

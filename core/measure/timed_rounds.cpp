@@ -35,7 +35,8 @@ void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::
         for (const ViewStatePointer& memory : entrant.memories) cloned.push_back(memory->clone());
     std::vector<FrameTarget> pictures;
     for (size_t i = 0; i < entrant.memories.size(); ++i)
-        pictures.push_back({&targetOf(entrant.view.viewport(), i), (cloned.empty() ? entrant.memories : cloned)[i].get()});
+        pictures.push_back({&targetOf(entrant.view.viewport(), i), (cloned.empty() ? entrant.memories : cloned)[i].get(),
+                            i > 0 && i <= entrant.others.size() ? &entrant.others[i - 1] : nullptr});
     FrameResult frame = renderFrame(renderer, *entrant.buffers, *entrant.strategy, entrant.view, pictures, {}, stop);
     if (m_protocol.madeUpTime) {
         frame.frameMilliseconds = m_protocol.madeUpTime(*entrant.strategy);

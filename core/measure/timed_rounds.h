@@ -30,6 +30,7 @@ struct TimedFrames {
     BuiltStrategyPointer strategy;
     View view;
     std::vector<ViewStatePointer> memories;  ///< of as many pictures as a frame has; what a strategy that remembers begins with
+    std::vector<View> others{};              ///< of the pictures behind the first one; empty: all have the same view
     bool shown = false;  ///< a view shows this frame already, decided with these memories: that was the warm-up
 
     std::vector<double> frameMilliseconds{}, cullMilliseconds{};  ///< of the counted frames, cull + draw and cull of all pictures

@@ -15,6 +15,7 @@ struct ViewSubject {
     BuiltStrategyPointer strategy;
     View view;
     std::vector<ViewStatePointer> memories;  ///< of its pictures, before the frame (TimedFrames)
+    std::vector<View> others{};              ///< of its pictures behind the first one, which is judged; empty: the same view
     /// The frame that the view shows already, decided with these memories, with its decisions recorded; null: none. It stands in
     /// the place of the warm-up.
     std::shared_ptr<const FrameLog> shown{};

@@ -36,7 +36,11 @@ double farthestRadius(const std::array<Vec3, 3>& corners) {
 }  // namespace
 
 SphericalMaps::SphericalMaps(MeshPointer mesh, SphericalGrid grid, const Progress& progress, uint64_t mostEntries)
-    : m_mesh(std::move(mesh)), m_grid(std::move(grid)), m_sphere(m_mesh->localSphere()) {
+    : SphericalMaps(mesh, std::move(grid), {mesh->localSphere()}, progress, mostEntries) {}
+
+SphericalMaps::SphericalMaps(MeshPointer mesh, SphericalGrid grid, const MapFrame& frame, const Progress& progress,
+                             uint64_t mostEntries)
+    : m_mesh(std::move(mesh)), m_grid(std::move(grid)), m_frame(frame) {
     auto start = Clock::now();
     buildCentroidMap(progress.part(0.0, 0.3));
     m_times.centroidMap = millisecondsSince(start);
@@ -50,8 +54,10 @@ SphericalMaps::SphericalMaps(MeshPointer mesh, SphericalGrid grid, const Progres
 
 std::array<Vec3, 3> SphericalMaps::corners(uint32_t triangle) const {
     std::array<Vec3, 3> result;
+    // A vector times a rotation is the inverse rotation of the vector.
     for (size_t i = 0; i < 3; ++i)
-        result[i] = Vec3(m_mesh->positions()[m_mesh->indices()[3 * size_t(triangle) + i]]) - m_sphere.centre;
+        result[i] = (Vec3(m_mesh->positions()[m_mesh->indices()[3 * size_t(triangle) + i]]) - m_frame.sphere.centre) *
+                    m_frame.meshFromMap;
     return result;
 }
 

@@ -8,8 +8,15 @@
 
 namespace cullscope {
 
+/// Where the spherical coordinates of a mesh's maps begin, and which way their pole points.
+struct MapFrame {
+    Sphere sphere;          ///< around the mesh, relative to its origin: R is the distance from its centre
+    Mat3 meshFromMap{1.0};  ///< a rotation: its third column is the polar axis, θ = 0, its first one φ = 0
+};
+
 /// The three structures of Han & Hong 2008, section 2.2 and Table 1, for one mesh. Directions and radii are relative to the
-/// centre of the mesh's bounding sphere, in the mesh's coordinates relative to its origin.
+/// centre of a sphere around the mesh, by default its bounding sphere, in the mesh's coordinates or, with another polar axis, in
+/// these turned.
 class SphericalMaps {
 public:
     /// The range of distances from the centre of the surface in a cell; empty: nearest > farthest.
@@ -35,11 +42,17 @@ public:
     /// more than `mostEntries` entries, Error(Interrupted) on a stop request.
     SphericalMaps(MeshPointer mesh, SphericalGrid grid, const Progress& progress = {}, uint64_t mostEntries = kMostEntries);
 
+    /// The same in other coordinates.
+    SphericalMaps(MeshPointer mesh, SphericalGrid grid, const MapFrame& frame, const Progress& progress = {},
+                  uint64_t mostEntries = kMostEntries);
+
     [[nodiscard]] const TriangleMesh& mesh() const { return *m_mesh; }
     [[nodiscard]] const SphericalGrid& grid() const { return m_grid; }
     /// The bounding sphere, relative to the mesh's origin.
-    [[nodiscard]] const Sphere& sphere() const { return m_sphere; }
-    /// The corners of a triangle relative to the centre.
+    [[nodiscard]] const Sphere& sphere() const { return m_frame.sphere; }
+    [[nodiscard]] const Mat3& meshFromMap() const { return m_frame.meshFromMap; }
+    [[nodiscard]] const MapFrame& frame() const { return m_frame; }
+    /// The corners of a triangle relative to the centre, in the maps' coordinates.
     [[nodiscard]] std::array<Vec3, 3> corners(uint32_t triangle) const;
 
     /// The centroid map: each triangle is in one cell, that of its centroid (the centroid as a vector, never the mean of angles);
@@ -74,7 +87,7 @@ private:
 
     MeshPointer m_mesh;
     SphericalGrid m_grid;
-    Sphere m_sphere;
+    MapFrame m_frame;
     std::vector<float> m_centroidRadii;  ///< by triangle
     CellLists m_centroids;
     CellLists m_index;

@@ -16,17 +16,18 @@ TEST_F(CullbenchContract, listShowsEveryExperiment) {
     const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
     std::vector<std::string> experiments;
     for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
-    EXPECT_THAT(experiments,
-                testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "table-2-views", "spherical-readings",
-                                     "spherical-domain", "vfc-40-views", "vfc-fitted-views", "lecture-table", "quiz", "example",
-                                     "bsp-planes", "plant-methods", "plant-pipelines", "plant-losses"));
+    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "table-1-layouts",
+                                                  "table-2-views", "spherical-readings", "spherical-domain", "vfc-40-views",
+                                                  "vfc-fitted-views", "lecture-table", "quiz", "example", "bsp-planes",
+                                                  "plant-methods", "plant-pipelines", "plant-losses"));
     const std::string text = cullbench({"list", "experiments"}).out;
     for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
 }
 
 TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
     expectRefusal(cullbench({"reproduce", "table-9"}), 2,
-                  "Known: table-1, table-2, table-3, table-4, table-5, table-2-views, spherical-readings, spherical-domain, "
+                  "Known: table-1, table-2, table-3, table-4, table-5, table-1-layouts, table-2-views, spherical-readings, "
+                  "spherical-domain, "
                   "vfc-40-views, vfc-fitted-views, lecture-table, quiz, example, bsp-planes, "
                   "plant-methods, plant-pipelines, plant-losses.");
     expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
@@ -95,9 +96,10 @@ TEST_F(CullbenchContract, quizTakesAFileOfTheLecturersOwn) {
     EXPECT_THAT(result.out, testing::AllOf(HasSubstr("C2"), HasSubstr("NULL"), HasSubstr("order")));
     EXPECT_THAT(result.out, testing::Not(HasSubstr("answer key")));
     for (const char* experiment : {"bsp-planes", "all"})
-        expectRefusal(cullbench({"reproduce", experiment, file("own.polygons")}), 2,
-                      "Taking one: table-1, table-2, table-3, table-4, table-5, table-2-views, spherical-readings, "
-                      "spherical-domain, quiz, example, plant-losses.");
+        expectRefusal(
+            cullbench({"reproduce", experiment, file("own.polygons")}), 2,
+            "Taking one: table-1, table-2, table-3, table-4, table-5, table-1-layouts, table-2-views, spherical-readings, "
+            "spherical-domain, quiz, example, plant-losses.");
     std::ofstream(file("own.polygons")) << "plane P 1 0 0 0\n";
     expectRefusal(cullbench({"reproduce", "quiz", file("own.polygons")}), 3, "own.polygons names no polygon");
 }

@@ -56,6 +56,7 @@ namespace cullscope::test {
         shown.insert(shown.end(), plot.separate.begin(), plot.separate.end());
         for (const auto& [key, values] : plot.rows) shown.push_back(key);
         for (const RowPlot::Column& column : plot.y) shown.push_back(column.key);
+        if (!plot.cellsOver.empty()) shown.push_back(plot.cellsOver);
         if (!plot.ofFrames()) shown.push_back(plot.x);
         for (const std::string& key : shown)
             if (!has(key)) fault("plot " + plot.plot.title + " shows \"" + key + "\", which is no column");

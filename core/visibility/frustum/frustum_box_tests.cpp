@@ -19,10 +19,11 @@ enum class Answer { Visible, BeforeNear, BeyondFar, Asked };
 
 /// The boxes that OpenGL tests in one cull.
 struct GrownBoxes {
-    std::vector<Answer> answers;      ///< by instance
-    std::vector<uint32_t> instances;  ///< whose boxes OpenGL tests
-    std::vector<EyeBox> boxes;        ///< of those, grown
-    std::vector<double> growths;      ///< of those, while the frame is recorded: by how much
+    std::vector<Answer> answers;          ///< by instance
+    std::vector<uint32_t> instances;      ///< whose boxes OpenGL tests
+    std::vector<EyeBox> boxes;            ///< of those, grown
+    std::vector<double> growths;          ///< of those, while the frame is recorded: by how much
+    std::vector<HitDistances> distances;  ///< of those, while the frame is recorded: of the hit records; empty: there are none
 };
 
 /// The length by which a box grows: a pixel's width at its farthest distance from the eye, plus the margin of a plane test.
@@ -55,8 +56,12 @@ protected:
         {
             const StageTimer stage(frame, CULLSCOPE_TR("asking OpenGL"));
             for (uint32_t i = 0; i < visible.size(); ++i) visible[i] = questions.answers[i] == Answer::Visible ? 1 : 0;
-            for (const uint32_t hit : ask(frame, std::move(questions.boxes), state, parameters))
-                visible[questions.instances[hit]] = 1;
+            const SelectedBoxes answer = ask(frame, std::move(questions.boxes), state, parameters);
+            for (const uint32_t hit : answer.hits) visible[questions.instances[hit]] = 1;
+            if (frame.recording()) {
+                questions.distances.resize(answer.distances.empty() ? 0 : questions.instances.size());
+                for (size_t i = 0; i < answer.distances.size(); ++i) questions.distances[answer.hits[i]] = answer.distances[i];
+            }
         }
         DrawList list{frame.facing(), {}};
         {
@@ -84,9 +89,9 @@ protected:
         return objectNodes(log, structure.scene());
     }
 
-    /// The boxes that OpenGL hits, as indices.
-    [[nodiscard]] virtual std::vector<uint32_t> ask(FrameContext& frame, std::vector<EyeBox> boxes, State& state,
-                                                    const ParameterSet& parameters) const = 0;
+    /// The boxes that OpenGL hits.
+    [[nodiscard]] virtual SelectedBoxes ask(FrameContext& frame, std::vector<EyeBox> boxes, State& state,
+                                            const ParameterSet& parameters) const = 0;
     /// Whether OpenGL also hits boxes before the near or beyond the far plane, so that they must be culled before the test.
     [[nodiscard]] virtual bool clampsDepth() const = 0;
 
@@ -145,7 +150,15 @@ private:
         for (size_t i = 0; i < questions.instances.size(); ++i) {
             const uint32_t instance = questions.instances[i];
             const bool hit = visible[instance] != 0;
-            frame.say(atLine(lineOf(BoxLine::Hit), boxQuestion(Subject::ofObject(instance), true, hit, questions.growths[i])));
+            Decision question = boxQuestion(Subject::ofObject(instance), true, hit, questions.growths[i]);
+            if (hit && !questions.distances.empty()) {
+                question.sentence =
+                    CULLSCOPE_TR("The box, grown by %1, was drawn for selection: its hit record says depths from %2 to %3.");
+                question.operands[1] = questions.distances[i].nearest;
+                question.operands[2] = questions.distances[i].farthest;
+                question.operandCount = 3;
+            }
+            frame.say(atLine(lineOf(BoxLine::Hit), question));
             sayEnd(frame, instance, hit);
         }
     }
@@ -179,21 +192,41 @@ public:
     [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<HitBuffer>(); }
 
 protected:
-    [[nodiscard]] std::vector<uint32_t> ask(FrameContext& frame, std::vector<EyeBox> boxes, HitBuffer& buffer,
-                                            const ParameterSet& parameters) const override {
+    [[nodiscard]] SelectedBoxes ask(FrameContext& frame, std::vector<EyeBox> boxes, HitBuffer& buffer,
+                                    const ParameterSet& parameters) const override {
         if (buffer.words == 0) buffer.words = size_t(parameters.integer("buffer"));
         SelectedBoxes selected = frame.selectBoxes(std::move(boxes), buffer.words);
         buffer.words = selected.bufferWords;
-        return std::move(selected.hits);
+        frame.counters().figures.push_back({"hit_records", double(selected.hits.size())});
+        frame.counters().figures.push_back({"hit_buffer_words", double(selected.bufferWords)});
+        frame.counters().figures.push_back({"hit_buffer_overflows", double(selected.overflows)});
+        return selected;
     }
     [[nodiscard]] bool clampsDepth() const override { return false; }
+
+public:
+    [[nodiscard]] std::string frameLine(const Structure& /*structure*/, const FrameLog& log) const override {
+        for (const Command& command : log.commands) {
+            const auto* asked = std::get_if<AskedBoxes>(&command);
+            if (asked == nullptr || asked->bufferWords == 0) continue;
+            std::string text = std::to_string(asked->hits.size()) + " hit records of " + std::to_string(asked->boxes.size()) +
+                               " boxes in a buffer of " + std::to_string(asked->bufferWords) + " words, which overflowed " +
+                               std::to_string(asked->overflows) + " times before";
+            if (asked->distances.empty()) return text;
+            const auto nearest = std::ranges::min(asked->distances, {}, &HitDistances::nearest);
+            const auto farthest = std::ranges::max(asked->distances, {}, &HitDistances::farthest);
+            return text + "; depths from " + Term::length(nearest.nearest).english() + " to " +
+                   Term::length(farthest.farthest).english();
+        }
+        return {};
+    }
 };
 
 class FrustumQuery final : public FrustumBoxTests<> {
 protected:
-    [[nodiscard]] std::vector<uint32_t> ask(FrameContext& frame, std::vector<EyeBox> boxes, ViewState& /*state*/,
-                                            const ParameterSet& /*parameters*/) const override {
-        return frame.visibleBoxes(std::move(boxes), BoxQuestion::Samples);
+    [[nodiscard]] SelectedBoxes ask(FrameContext& frame, std::vector<EyeBox> boxes, ViewState& /*state*/,
+                                    const ParameterSet& /*parameters*/) const override {
+        return {frame.visibleBoxes(std::move(boxes), BoxQuestion::Samples)};
     }
     [[nodiscard]] bool clampsDepth() const override { return true; }
 };

@@ -18,7 +18,8 @@ public:
     explicit LazyMaps(MeshPointer mesh) : m_mesh(mesh.get()), m_made(std::make_shared<Made>(std::move(mesh))) {}
 
     [[nodiscard]] const TriangleMesh& mesh() const { return *m_mesh; }
-    [[nodiscard]] const Sphere& sphere() const { return m_mesh->localSphere(); }
+    [[nodiscard]] const Sphere& sphere() const { return m_ready ? m_ready->sphere() : m_mesh->localSphere(); }
+    [[nodiscard]] Mat3 meshFromMap() const { return m_ready ? m_ready->meshFromMap() : Mat3(1.0); }
     [[nodiscard]] const SphericalMaps& operator*() const;
     [[nodiscard]] const SphericalMaps* operator->() const { return &**this; }
 

@@ -79,7 +79,7 @@ void MappedCulling::decideOne(const FrameContext& frame, const MappedMesh& mesh,
     SphericalDecision& decision = object.decision;
     ObjectRecord* record = object.record ? &*object.record : nullptr;
     const ObjectSpaceView seen =
-        objectSpaceView(frame.scene(), decision.instance, mesh.maps->sphere(), frame.view(), record, uint8_t(BandsLine::Sphere));
+        objectSpaceView(frame.scene(), decision.instance, mesh.maps->frame(), frame.view(), record, uint8_t(BandsLine::Sphere));
     decision.relation = seen.relation;
     decision.eye = seen.eye;
     if (seen.relation == SphereRelation::AroundEye)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/message.h"
+#include "core/visibility/spherical/map_coordinates.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -67,7 +68,11 @@ void fillReport(MappedScene& structure) {
 }  // namespace
 
 SphericalMapsPointer makeMaps(const MeshPointer& mesh, const ParameterSet& parameters, const Progress& progress) {
-    return std::make_shared<SphericalMaps>(mesh, gridFor(*mesh, parameters), progress);
+    const auto has = [&](std::string_view key) {
+        return std::ranges::any_of(parameters.declarations(), [&](const ParameterDeclaration& each) { return each.key == key; });
+    };
+    const MapFrame frame = has("axis") ? mapFrame(*mesh, coordinatesOf(parameters)) : MapFrame{mesh->localSphere()};
+    return std::make_shared<SphericalMaps>(mesh, gridFor(*mesh, parameters), frame, progress);
 }
 
 void finish(MappedScene& structure) {

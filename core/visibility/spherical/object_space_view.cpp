@@ -31,10 +31,11 @@ double largestStretch(const Mat3& m) {
     return std::sqrt(largest) * (1.0 + 1e-12);
 }
 
-EyeFromMap eyeFromMap(const Scene& scene, uint32_t instance, const Sphere& sphere, const Vec3& eye) {
+EyeFromMap eyeFromMap(const Scene& scene, uint32_t instance, const MapFrame& frame, const Vec3& eye) {
+    const Sphere& sphere = frame.sphere;
     const Mat4& worldFromMesh = scene.instances()[instance].worldFromMesh;
     EyeFromMap result;
-    result.linear = Mat3(worldFromMesh);
+    result.linear = Mat3(worldFromMesh) * frame.meshFromMap;
     result.stretch = frobenius(result.linear);
     const Vec3 centre = Vec3(worldFromMesh * Vec4(scene.meshOf(instance).origin() + sphere.centre, 1.0));
     result.centre = centre - eye;
@@ -99,9 +100,10 @@ ObjectSpaceView seenFrom(const View& view, const EyeFromMap& object, double radi
 
 }  // namespace
 
-ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view,
+ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const MapFrame& frame, const View& view,
                                 ObjectRecord* record, uint8_t line) {
-    const ObjectSpaceView seen = seenFrom(view, eyeFromMap(scene, instance, sphere, view.eye()), sphere.radius, record, line);
+    const ObjectSpaceView seen =
+        seenFrom(view, eyeFromMap(scene, instance, frame, view.eye()), frame.sphere.radius, record, line);
     if (record != nullptr) record->attach(std::make_shared<SphereDetail>(seen.relation, seen.eye));
     return seen;
 }

@@ -4,6 +4,7 @@
 
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
+#include "core/spatial/spherical_maps.h"
 #include "core/visibility/spherical/decision.h"
 #include "core/visibility/spherical/object_record.h"
 
@@ -39,9 +40,14 @@ struct ObjectSpaceView {
 };
 
 /// The view of an instance. The relation is never Outside for a sphere that intersects the frustum (margin: geometry/frustum.h,
-/// conservativeMargin). `sphere`: the mesh's bounding sphere, relative to its origin. `record`, if it is not null, is told of the
+/// conservativeMargin). `frame`: of the mesh's maps. `record`, if it is not null, is told of the
 /// sphere's tests where they fall, and then of the relation; `line`: of the strategy's listing.
-[[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view,
+[[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const MapFrame& frame, const View& view,
                                               ObjectRecord* record = nullptr, uint8_t line = 0);
+/// The same of a sphere around the mesh, relative to its origin, in the mesh's own coordinates.
+[[nodiscard]] inline ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere,
+                                                     const View& view, ObjectRecord* record = nullptr, uint8_t line = 0) {
+    return objectSpaceView(scene, instance, MapFrame{sphere}, view, record, line);
+}
 
 }  // namespace cullscope::spherical

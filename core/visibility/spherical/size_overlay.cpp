@@ -159,7 +159,7 @@ std::vector<SizePlace> sizePlaces(const MapSnapshot& map, uint32_t sector) {
 uint32_t shownSector(const OverlayContext& context, const MapSnapshot& map) {
     const ContourBands& bands = *map.decision.bands;
     const Frustum& frustum = context.viewing.frustum();
-    const Mat3 world(context.scene.instances()[map.decision.instance].worldFromMesh);
+    const Mat3 world = MapPlace(context.scene, map).linear();
     const Vec3 axis = glm::normalize(world * bands.axis);
     Vec3 aside = glm::cross(axis, MapPlace(context.scene, map).world(Vec3(0.0)) - context.viewing.eye());
     // Viewed along the axis, all sides are equally good.

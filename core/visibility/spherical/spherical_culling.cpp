@@ -5,6 +5,7 @@
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/spherical/flow_chart.h"
+#include "core/visibility/spherical/map_coordinates.h"
 #include "core/visibility/spherical/mapped_culling.h"
 #include "core/visibility/spherical/readings.h"
 #include "core/visibility/spherical/recorded_decisions.h"
@@ -79,6 +80,7 @@ RegisteredStrategy spherical() {
                       {facingParameter("two-sided"), rowsParameter()}};
     std::ranges::move(bandParameters(5.0, 36), std::back_inserter(info.parameters));
     std::ranges::move(readingParameters(), std::back_inserter(info.parameters));
+    std::ranges::move(coordinateParameters(), std::back_inserter(info.parameters));
     info.needsEyePoint = true;
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
     Show listing = bandsListing();

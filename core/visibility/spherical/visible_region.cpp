@@ -115,7 +115,10 @@ std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, 
 /// The mesh's box, relative to the centre of the maps.
 Box3 boxOf(const SphericalMaps& maps) {
     const Box3& box = maps.mesh().localBounds();
-    return {box.min - maps.sphere().centre, box.max - maps.sphere().centre};
+    // The axes of the maps are those of the mesh in another order, so that a box stays one.
+    const Vec3 a = (box.min - maps.sphere().centre) * maps.meshFromMap(),
+               b = (box.max - maps.sphere().centre) * maps.meshFromMap();
+    return {glm::min(a, b), glm::max(a, b)};
 }
 
 /// The ray parameters at which a ray enters and leaves a box; none where it misses. The entry is at least 0.

@@ -102,8 +102,8 @@ TEST(HanHongViews, tableOfViewsSaysWhereACaseExists) {
 }
 
 TEST(HanHongViews, experimentsTakeAnotherScene) {
-    for (const char* id :
-         {"table-1", "table-2", "table-3", "table-4", "table-5", "table-2-views", "spherical-readings", "spherical-domain"}) {
+    for (const char* id : {"table-1", "table-2", "table-3", "table-4", "table-5", "table-1-layouts", "table-2-views",
+                           "spherical-readings", "spherical-domain"}) {
         const Experiment& experiment = findExperiment(id);
         ASSERT_TRUE(experiment.ofScene) << id;
         const Experiment own = experiment.ofScene("torus:triangles=2000");
