@@ -15,12 +15,11 @@ struct SubmittedRun {
     unsigned indexBuffer = 0;  ///< that the addresses are offsets in; 0 with client arrays
 };
 
-/// Whether the ranges are a whole mesh for which the draw list has no order of its own, so that its triangles may be drawn in the
-/// fastest order.
+/// Whether the ranges are a whole mesh whose triangles may be drawn in any order, the fastest one.
 inline bool isWhole(std::span<const DrawRange> run, const DrawList& list, const Scene& scene) {
     const uint32_t mesh = scene.instances()[run.front().instance].mesh;
-    return run.size() == 1 && list.orderOf(mesh).indices.empty() &&
-           run.front().indexCount == scene.meshes()[mesh]->indices().size();
+    return list.depth == DepthRule::Nearest && run.size() == 1 &&
+           run.front().indexCount == scene.meshes()[mesh]->indices().size() && !list.standIn(mesh, run.front());
 }
 
 /// Goes through a list: binds each instance and calls `perInstance(run)` for each run of ranges of one instance. `numbered`:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/message.h"
 #include "core/visibility/spherical/listings.h"
@@ -11,6 +12,9 @@ namespace {
 
 // Drawing fewer hidden triangles than this between two ranges is faster than starting another range.
 constexpr uint32_t kGap = 8;
+// Where less than one in so many triangles is left out, the whole mesh is faster: it is drawn in vertex-cache order, and OpenGL
+// drops what faces away for next to nothing.
+constexpr uint64_t kLeastShareLeftOut = 8;
 // Cells of fewer triangles are drawn faster than the horizon test takes.
 constexpr uint32_t kLeastForHorizon = 96;
 constexpr uint8_t kNearPlane = 1U << unsigned(FrustumPlane::Near);
@@ -55,6 +59,7 @@ public:
     }
 
     [[nodiscard]] CellWalk take(const CellTests& tests) {
+        drawWholeWhereFewAreLeftOut();
         m_walk.cones = tests.cones;
         m_walk.horizon = tests.horizon != nullptr;
         return std::move(m_walk);
@@ -171,7 +176,12 @@ private:
         if (!drawn.empty() && node.first - (drawn.back().first + drawn.back().count) < kGap) {
             drawn.back().count = node.first + node.count - drawn.back().first;
             for (size_t cause = 0; cause < kCauseCount; ++cause) m_walk.culled[cause] -= m_gap[cause];
-            for (size_t i = m_judgedBeforeGap; i < m_walk.judged.size(); ++i) bridge(m_walk.judged[i]);
+            for (size_t i = m_judgedBeforeGap; i < m_walk.judged.size(); ++i)
+                bridge(
+                    m_walk.judged[i],
+                    CULLSCOPE_TR("Left out, but drawn after all: it lies between two ranges, and fewer than %1 triangles are not "
+                                 "worth a range of their own."),
+                    kGap);
         } else {
             drawn.push_back({node.first, node.count});
         }
@@ -179,16 +189,28 @@ private:
         m_judgedBeforeGap = m_walk.judged.size();
     }
 
-    /// A cell in a gap too small to begin another range after it.
-    void bridge(JudgedCell& judged) {
+    void drawWholeWhereFewAreLeftOut() {
+        const uint64_t all = m_tree.mesh().triangleCount();
+        const uint64_t leftOut = std::accumulate(m_walk.culled.begin(), m_walk.culled.end(), uint64_t{0});
+        if (leftOut == 0 || leftOut * kLeastShareLeftOut >= all) return;
+        m_walk.culled = {};
+        m_walk.drawn = {{0, uint32_t(all)}};
+        for (JudgedCell& judged : m_walk.judged)
+            bridge(judged,
+                   CULLSCOPE_TR(
+                       "Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing "
+                       "all of it in the order of neighbours is faster."),
+                   double(kLeastShareLeftOut));
+    }
+
+    /// A cell that is drawn although its tests left it out; `sentence` says why, of the number `operand`.
+    void bridge(JudgedCell& judged, const char* sentence, double operand) {
         if (!judged.cause) return;
         Decision drawn = ending(cell(judged.node), Decision::Outcome::DrawnAfterAll, *judged.cause);
         judged.cause.reset();
         judged.bridged = true;
-        drawn.sentence = CULLSCOPE_TR(
-            "Left out, but drawn after all: it lies between two ranges, and fewer than %1 triangles are not "
-            "worth a range of their own.");
-        drawn.operands[0] = kGap;
+        drawn.sentence = sentence;
+        drawn.operands[0] = operand;
         drawn.operandCount = 1;
         say(judged.node, WalkLine::Draw, drawn);
     }
