@@ -113,7 +113,7 @@ void MessageBar::fit() {
     const QString text = translatedText();
     const QFontMetrics metrics(m_text->font());
     const auto without = [&](const QWidget& hidden) {
-        int room = width() - kSymbol - kBeside;
+        int room = width() - kSymbol - 2 * kBeside;
         for (const QWidget* button : {m_whole, m_take, m_close})
             if (button != &hidden && (button == m_whole || !button->isHidden())) room -= button->sizeHint().width() + kBeside;
         return room;
