@@ -194,7 +194,8 @@ private:
             if (m_taking[i].ended) continue;
             const Contestant& contestant = m_contestants.strategies[i];
             numbers.push_back(i);
-            subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i]), others});
+            subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i])});
+            subjects.back().others = others;
             subjects.back().judged = m_request.accuracy && contestant.askedFor;
         }
         TimingProtocol protocol = m_request.timing;

@@ -30,13 +30,13 @@ struct TimedFrames {
     BuiltStrategyPointer strategy;
     View view;
     std::vector<ViewStatePointer> memories;  ///< of as many pictures as a frame has; what a strategy that remembers begins with
-    std::vector<View> others{};              ///< of the pictures behind the first one; empty: all have the same view
     bool shown = false;  ///< a view shows this frame already, decided with these memories: that was the warm-up
 
     std::vector<double> frameMilliseconds{}, cullMilliseconds{};  ///< of the counted frames, cull + draw and cull of all pictures
     FrameLog log{};                                               ///< of the first counted frame's first picture: is judged
     std::vector<ViewStatePointer> left{};                         ///< the memories after that frame, of a strategy that remembers
     bool dropped = false;                                         ///< takes no part any more: its times and its log are not whole
+    std::vector<View> others{};                                   ///< of the pictures behind the first one; empty: the same view
 
     /// The memories with which the next view begins.
     [[nodiscard]] std::vector<ViewStatePointer> takeMemories() { return std::move(left.empty() ? memories : left); }

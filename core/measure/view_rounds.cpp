@@ -47,8 +47,9 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
     : m_subjects(std::move(subjects)), m_judged(m_subjects.size()), m_figures(m_subjects.size()) {
     std::vector<TimedFrames> timed;
     for (ViewSubject& subject : m_subjects) {
-        TimedFrames work{subject.buffers.get(),       subject.strategy, subject.view,
-                         std::move(subject.memories), subject.others,   subject.shown != nullptr};
+        TimedFrames work{subject.buffers.get(), subject.strategy, subject.view, std::move(subject.memories),
+                         subject.shown != nullptr};
+        work.others = subject.others;
         if (subject.shown) {
             m_places.push_back({joined(timed, std::move(work))});
         } else {

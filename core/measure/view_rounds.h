@@ -15,13 +15,13 @@ struct ViewSubject {
     BuiltStrategyPointer strategy;
     View view;
     std::vector<ViewStatePointer> memories;  ///< of its pictures, before the frame (TimedFrames)
-    std::vector<View> others{};              ///< of its pictures behind the first one, which is judged; empty: the same view
     /// The frame that the view shows already, decided with these memories, with its decisions recorded; null: none. It stands in
     /// the place of the warm-up.
     std::shared_ptr<const FrameLog> shown{};
     BuiltStrategyPointer baseline{};  ///< is timed in the same turns, at the same view; null: none
     BuiltStrategyPointer fronts{};    ///< likewise: the strong baseline, where `baseline` draws other sides; null: none
     bool judged = true;               ///< false: only its times are wanted
+    std::vector<View> others{};       ///< of its pictures behind the first one, which is judged; empty: the same view
 };
 
 /// Speed and errors of a strategy at a view, as far as they are known. Counts and errors are of the first frame that was timed,

@@ -4926,28 +4926,8 @@
         <translation>면의 비율</translation>
     </message>
     <message>
-        <source>Corner rays that hit, by field of view in degrees</source>
-        <translation>맞은 모서리 광선, 시야각(도)별</translation>
-    </message>
-    <message>
         <source>rays that hit, of 4</source>
         <translation>맞은 광선, 4개 중</translation>
-    </message>
-    <message>
-        <source>Faces considered, by field of view in degrees</source>
-        <translation>고려되는 면, 시야각(도)별</translation>
-    </message>
-    <message>
-        <source>Lost pixels, by field of view in degrees</source>
-        <translation>잃은 픽셀, 시야각(도)별</translation>
-    </message>
-    <message>
-        <source>Speed against all, by field of view in degrees</source>
-        <translation>all 대비 속도, 시야각(도)별</translation>
-    </message>
-    <message>
-        <source>× all</source>
-        <translation>× all</translation>
     </message>
     <message>
         <source>The paper&apos;s column is the faces considered. Views are chosen so that spherical considers as many here, in the stated case; faces in the frustum, those on the far side too, and the rays that hit are results. Where a lens has no such view, the nearest one is measured, and its row shows it.</source>
@@ -5442,8 +5422,8 @@
         <translation>등고선 띠의 S</translation>
     </message>
     <message>
-        <source>&amp;S of the contour bands</source>
-        <translation>등고선 띠의 S(&amp;S)</translation>
+        <source>S of the contour ba&amp;nds</source>
+        <translation>등고선 띠의 S(&amp;N)</translation>
     </message>
     <message>
         <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
@@ -5472,6 +5452,178 @@
     <message>
         <source>%1 needs the place of an eye, and a parallel view has none: every triangle is drawn.</source>
         <translation>%1 전략에는 눈의 위치가 필요한데 평행 투영 뷰에는 눈이 없습니다. 모든 삼각형을 그립니다.</translation>
+    </message>
+    <message>
+        <source>hit records, mean</source>
+        <translation>적중 기록, 평균</translation>
+    </message>
+    <message>
+        <source>overflows of the hit buffer</source>
+        <translation>적중 버퍼 넘침</translation>
+    </message>
+    <message>
+        <source>a vertex: position, normal; a face: 3 indices</source>
+        <translation>정점: 위치, 법선; 면: 색인 3개</translation>
+    </message>
+    <message>
+        <source>a face: 3 corners with position and normal</source>
+        <translation>면: 위치와 법선이 있는 꼭짓점 3개</translation>
+    </message>
+    <message>
+        <source>a face: 3 corners with position, 1 normal, 3 indices</source>
+        <translation>면: 위치가 있는 꼭짓점 3개, 법선 1개, 색인 3개</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s formula: 4 floats a face</source>
+        <translation>논문의 식: 면마다 float 4개</translation>
+    </message>
+    <message>
+        <source>R, θ, φ in floats a face; 4 numbers a cell</source>
+        <translation>면마다 float인 R, θ, φ; 칸마다 수 4개</translation>
+    </message>
+    <message>
+        <source>R, θ, φ and index a face; 4 numbers a cell</source>
+        <translation>면마다 R, θ, φ와 색인; 칸마다 수 4개</translation>
+    </message>
+    <message>
+        <source>R, θ, φ in doubles a face; 4 numbers a cell</source>
+        <translation>면마다 double인 R, θ, φ; 칸마다 수 4개</translation>
+    </message>
+    <message>
+        <source>index and R an entry</source>
+        <translation>항목마다 색인과 R</translation>
+    </message>
+    <message>
+        <source>index and R an entry; start and count a cell</source>
+        <translation>항목마다 색인과 R; 칸마다 시작과 개수</translation>
+    </message>
+    <message>
+        <source>index, R and a link to the next an entry</source>
+        <translation>항목마다 색인, R, 다음 항목의 연결</translation>
+    </message>
+    <message>
+        <source>index an entry; start, nearest and farthest R a cell, as here</source>
+        <translation>항목마다 색인; 칸마다 시작, 가장 가까운 R과 먼 R, 여기서와 같음</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s formula: 4 integers a cell</source>
+        <translation>논문의 식: 칸마다 정수 4개</translation>
+    </message>
+    <message>
+        <source>start and count a cell</source>
+        <translation>칸마다 시작과 개수</translation>
+    </message>
+    <message>
+        <source>What the sizes in Table 1 can be made of</source>
+        <translation>표 1의 크기를 이루는 것</translation>
+    </message>
+    <message>
+        <source>The paper gives about 10, 4.3, 6.7 and 0.51 MB, and formulas that give other sizes; 3.46 MB stands in its table without a word. Each row is a layout that fits its text, with its size here.</source>
+        <translation>논문은 약 10, 4.3, 6.7, 0.51 MB라고 하며, 그 식들은 다른 크기를 냅니다. 3.46 MB는 설명 없이 표에 있습니다. 행마다 본문에 맞는 배치와 여기서의 크기가 있습니다.</translation>
+    </message>
+    <message>
+        <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value.</source>
+        <translation>색인 맵의 항목 수는 360 × 180에서 삼각형이 칸에 닿는 수입니다. 논문은 항목마다 R을 저장합니다. 여기서는 칸마다 가장 가까운 R과 가장 먼 R을 둡니다.</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>배치</translation>
+    </message>
+    <message>
+        <source>here: MiB</source>
+        <translation>여기: MiB</translation>
+    </message>
+    <message>
+        <source>off in MB, %</source>
+        <translation>MB로 차이, %</translation>
+    </message>
+    <message>
+        <source>off in MiB, %</source>
+        <translation>MiB로 차이, %</translation>
+    </message>
+    <message>
+        <source>bytes a face</source>
+        <translation>면당 바이트</translation>
+    </message>
+    <message>
+        <source>region between rays, share of the views</source>
+        <translation>광선 사이의 영역, 시점의 비율</translation>
+    </message>
+    <message>
+        <source>Views in which the region between rays is drawn, %</source>
+        <translation>광선 사이의 영역을 그리는 시점, %</translation>
+    </message>
+    <message>
+        <source>Corner rays that hit, of 4</source>
+        <translation>교차하는 모서리 광선, 4개 중</translation>
+    </message>
+    <message>
+        <source>Faces considered, %</source>
+        <translation>고려되는 면, %</translation>
+    </message>
+    <message>
+        <source>Lost pixels, %</source>
+        <translation>잃은 픽셀, %</translation>
+    </message>
+    <message>
+        <source>Speed, × all</source>
+        <translation>속도, × all</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>하나</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>서로 다름</translation>
+    </message>
+    <message>
+        <source>views of the windows</source>
+        <translation>창의 시점</translation>
+    </message>
+    <message>
+        <source>The paper does not say whether its windows show one view or different ones: both are measured. Different ones are spread evenly over a case&apos;s twelve views.</source>
+        <translation>논문은 창들이 한 시점을 보이는지 서로 다른 시점을 보이는지 말하지 않습니다. 둘 다 측정합니다. 서로 다른 시점은 경우마다 열두 시점에 고르게 퍼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>Boxes are drawn in OpenGL&apos;s selection mode: %1; hit records: %2; the hit buffer of %3 words overflowed before: %4</source>
+        <translation>OpenGL의 선택 모드로 그린 상자: %1, 적중 기록: %2, %3워드의 적중 버퍼가 그전에 넘친 횟수: %4</translation>
+    </message>
+    <message>
+        <source>The box, grown by %1, was drawn for selection: its hit record says depths from %2 to %3.</source>
+        <translation>%1만큼 키운 상자를 선택 모드로 그렸습니다. 그 적중 기록의 깊이는 %2부터 %3까지입니다.</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s axis to which the map&apos;s poles belong.</source>
+        <translation>맵의 극이 놓이는 메시의 축.</translation>
+    </message>
+    <message>
+        <source>z, as in equation (1)</source>
+        <translation>z, 식 (1)과 같음</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y, which points up in many models</source>
+        <translation>y, 많은 모델에서 위쪽</translation>
+    </message>
+    <message>
+        <source>The point from which R and the directions are measured.</source>
+        <translation>R과 방향을 재는 점.</translation>
+    </message>
+    <message>
+        <source>the centre of the bounding sphere</source>
+        <translation>경계구의 중심</translation>
+    </message>
+    <message>
+        <source>the middle of the bounding box</source>
+        <translation>경계 상자의 중앙</translation>
+    </message>
+    <message>
+        <source>the centroid of the surface</source>
+        <translation>표면의 무게중심</translation>
     </message>
 </context>
 <context>

@@ -4926,28 +4926,8 @@
         <translation>面的占比</translation>
     </message>
     <message>
-        <source>Corner rays that hit, by field of view in degrees</source>
-        <translation>击中的角光线，按视场角（度）</translation>
-    </message>
-    <message>
         <source>rays that hit, of 4</source>
         <translation>击中的光线，共 4 条</translation>
-    </message>
-    <message>
-        <source>Faces considered, by field of view in degrees</source>
-        <translation>考虑的面，按视场角（度）</translation>
-    </message>
-    <message>
-        <source>Lost pixels, by field of view in degrees</source>
-        <translation>丢失的像素，按视场角（度）</translation>
-    </message>
-    <message>
-        <source>Speed against all, by field of view in degrees</source>
-        <translation>相对 all 的速度，按视场角（度）</translation>
-    </message>
-    <message>
-        <source>× all</source>
-        <translation>× all</translation>
     </message>
     <message>
         <source>The paper&apos;s column is the faces considered. Views are chosen so that spherical considers as many here, in the stated case; faces in the frustum, those on the far side too, and the rays that hit are results. Where a lens has no such view, the nearest one is measured, and its row shows it.</source>
@@ -5442,8 +5422,8 @@
         <translation>等高线环带的 S</translation>
     </message>
     <message>
-        <source>&amp;S of the contour bands</source>
-        <translation>等高线环带的 S(&amp;S)</translation>
+        <source>S of the contour ba&amp;nds</source>
+        <translation>等高线环带的 S(&amp;N)</translation>
     </message>
     <message>
         <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
@@ -5472,6 +5452,178 @@
     <message>
         <source>%1 needs the place of an eye, and a parallel view has none: every triangle is drawn.</source>
         <translation>%1 需要眼睛的位置，而平行视图没有：绘制所有三角形。</translation>
+    </message>
+    <message>
+        <source>hit records, mean</source>
+        <translation>命中记录，平均</translation>
+    </message>
+    <message>
+        <source>overflows of the hit buffer</source>
+        <translation>命中缓冲区溢出</translation>
+    </message>
+    <message>
+        <source>a vertex: position, normal; a face: 3 indices</source>
+        <translation>每顶点：位置、法线；每面：3 个索引</translation>
+    </message>
+    <message>
+        <source>a face: 3 corners with position and normal</source>
+        <translation>每面：3 个带位置和法线的角点</translation>
+    </message>
+    <message>
+        <source>a face: 3 corners with position, 1 normal, 3 indices</source>
+        <translation>每面：3 个带位置的角点、1 条法线、3 个索引</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s formula: 4 floats a face</source>
+        <translation>论文的公式：每面 4 个浮点数</translation>
+    </message>
+    <message>
+        <source>R, θ, φ in floats a face; 4 numbers a cell</source>
+        <translation>每面浮点数 R、θ、φ；每格 4 个数</translation>
+    </message>
+    <message>
+        <source>R, θ, φ and index a face; 4 numbers a cell</source>
+        <translation>每面 R、θ、φ 和索引；每格 4 个数</translation>
+    </message>
+    <message>
+        <source>R, θ, φ in doubles a face; 4 numbers a cell</source>
+        <translation>每面双精度 R、θ、φ；每格 4 个数</translation>
+    </message>
+    <message>
+        <source>index and R an entry</source>
+        <translation>每条目：索引和 R</translation>
+    </message>
+    <message>
+        <source>index and R an entry; start and count a cell</source>
+        <translation>每条目：索引和 R；每格：起点和数目</translation>
+    </message>
+    <message>
+        <source>index, R and a link to the next an entry</source>
+        <translation>每条目：索引、R 和指向下一条目的链接</translation>
+    </message>
+    <message>
+        <source>index an entry; start, nearest and farthest R a cell, as here</source>
+        <translation>每条目：索引；每格：起点、最近和最远的 R，与此处相同</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s formula: 4 integers a cell</source>
+        <translation>论文的公式：每格 4 个整数</translation>
+    </message>
+    <message>
+        <source>start and count a cell</source>
+        <translation>每格：起点和数目</translation>
+    </message>
+    <message>
+        <source>What the sizes in Table 1 can be made of</source>
+        <translation>表 1 的大小可由什么构成</translation>
+    </message>
+    <message>
+        <source>The paper gives about 10, 4.3, 6.7 and 0.51 MB, and formulas that give other sizes; 3.46 MB stands in its table without a word. Each row is a layout that fits its text, with its size here.</source>
+        <translation>论文给出约 10、4.3、6.7 和 0.51 MB，而其公式给出别的大小；3.46 MB 在表中没有说明。每一行是一种符合其正文的布局及其在此处的大小。</translation>
+    </message>
+    <message>
+        <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value.</source>
+        <translation>索引图的条目数是 360 × 180 时三角形触及单元格的次数。论文为每个条目存储 R；此处按单元格保存其最近和最远的 R。</translation>
+    </message>
+    <message>
+        <source>layout</source>
+        <translation>布局</translation>
+    </message>
+    <message>
+        <source>here: MiB</source>
+        <translation>此处：MiB</translation>
+    </message>
+    <message>
+        <source>off in MB, %</source>
+        <translation>以 MB 计的偏差，%</translation>
+    </message>
+    <message>
+        <source>off in MiB, %</source>
+        <translation>以 MiB 计的偏差，%</translation>
+    </message>
+    <message>
+        <source>bytes a face</source>
+        <translation>每面字节数</translation>
+    </message>
+    <message>
+        <source>region between rays, share of the views</source>
+        <translation>光线间区域，占视角的比例</translation>
+    </message>
+    <message>
+        <source>Views in which the region between rays is drawn, %</source>
+        <translation>绘制光线间区域的视角，%</translation>
+    </message>
+    <message>
+        <source>Corner rays that hit, of 4</source>
+        <translation>命中的角光线，共 4 条</translation>
+    </message>
+    <message>
+        <source>Faces considered, %</source>
+        <translation>所考虑的面，%</translation>
+    </message>
+    <message>
+        <source>Lost pixels, %</source>
+        <translation>丢失的像素，%</translation>
+    </message>
+    <message>
+        <source>Speed, × all</source>
+        <translation>速度，× all</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <translation>同一</translation>
+    </message>
+    <message>
+        <source>different</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>views of the windows</source>
+        <translation>窗口的视角</translation>
+    </message>
+    <message>
+        <source>The paper does not say whether its windows show one view or different ones: both are measured. Different ones are spread evenly over a case&apos;s twelve views.</source>
+        <translation>论文没有说明各窗口显示同一视角还是不同视角：两者都测量。不同的视角均匀分布于一个情形的十二个视角。</translation>
+    </message>
+    <message>
+        <source>Boxes are drawn in OpenGL&apos;s selection mode: %1; hit records: %2; the hit buffer of %3 words overflowed before: %4</source>
+        <translation>以 OpenGL 的选择模式绘制的包围盒：%1；命中记录：%2；%3 个字的命中缓冲区此前溢出次数：%4</translation>
+    </message>
+    <message>
+        <source>The box, grown by %1, was drawn for selection: its hit record says depths from %2 to %3.</source>
+        <translation>放大 %1 的包围盒以选择模式绘制：其命中记录的深度为 %2 至 %3。</translation>
+    </message>
+    <message>
+        <source>The mesh&apos;s axis to which the map&apos;s poles belong.</source>
+        <translation>映射图两极所在的网格轴。</translation>
+    </message>
+    <message>
+        <source>z, as in equation (1)</source>
+        <translation>z，如式 (1)</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y, which points up in many models</source>
+        <translation>y，在许多模型中朝上</translation>
+    </message>
+    <message>
+        <source>The point from which R and the directions are measured.</source>
+        <translation>测量 R 和方向的起点。</translation>
+    </message>
+    <message>
+        <source>the centre of the bounding sphere</source>
+        <translation>包围球的中心</translation>
+    </message>
+    <message>
+        <source>the middle of the bounding box</source>
+        <translation>包围盒的中点</translation>
+    </message>
+    <message>
+        <source>the centroid of the surface</source>
+        <translation>表面的质心</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,8 @@ TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
     expectRefusal(cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2,
                   "no plot. With a plot: spherical-domain, vfc-40-views, vfc-fitted-views, lecture-table, plant-methods, "
                   "plant-pipelines, plant-losses.");
+    expectRefusal(cullbench({"reproduce", "table-1", "--png", file("t.png")}), 2, "--png: table-1 has a table and no plot");
+    expectRefusal(cullbench({"reproduce", "vfc-40-views", "--png", file("t.bmp")}), 2, ".png");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", "-", "--json", "-"}), 2, "--json and --svg");
     expectRefusal(cullbench({"reproduce", "all", "--csv", file("t.csv")}), 2, "--csv has the rows of one experiment");

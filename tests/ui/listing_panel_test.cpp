@@ -96,6 +96,24 @@ TEST_F(ListingPanelTest, tabsAreThereWhereTheStrategyDeclaresThem) {
     EXPECT_TRUE(shows(panel.listing())) << "an observer shows the inside of what it watches";
 }
 
+TEST_F(ListingPanelTest, flowChartIsLitAtTheListingsCurrentLine) {
+    EXPECT_FALSE(shows(panel.flowChart())) << "frustum culling has none";
+    session.slot(1).choose("spherical");
+    settle();
+    EXPECT_TRUE(shows(panel.flowChart()));
+    FlowChartPlot& plot = panel.flowChart().plot();
+    ASSERT_FALSE(plot.empty());
+    ASSERT_GT(reader.reading()->listing->current, 0);
+    EXPECT_EQ(plot.line(), reader.reading()->listing->current);
+    // What is lit is told in words, too, and in the user's language.
+    EXPECT_EQ(plot.accessibleDescription().count(QStringLiteral("the step in hand")), 1)
+        << plot.accessibleDescription().toStdString();
+    EXPECT_GT(plot.neededHeight(360), plot.neededHeight(900)) << "words break into more lines in a narrow dock";
+    EXPECT_FALSE(plotImage(plot, {720, 640}).isNull());
+    session.slot(1).choose("all");
+    EXPECT_FALSE(shows(panel.flowChart()));
+}
+
 TEST_F(ListingPanelTest, countsAreThoseOfTheFrame) {
     const BuiltStrategy& built = *session.slot(1).built();
     const FrameLog log = built.decide(View(session.camera(), {160, 120}), *built.begin(), true);

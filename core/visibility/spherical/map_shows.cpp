@@ -60,7 +60,7 @@ Show sizesShow() {
     show.id = kSizes;
     show.help = "S of the contour bands in one sector, each at the surface that it is measured at";
     show.title = CULLSCOPE_TR("S of the contour bands");
-    show.action = CULLSCOPE_TR("&S of the contour bands");
+    show.action = CULLSCOPE_TR("S of the contour ba&nds");
     show.explanation = CULLSCOPE_TR(
         "Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured "
         "at, dashed where the band is hidden");

@@ -91,6 +91,54 @@ TEST(RowPlots, powersBeginAtTheFirstPoint) {
     EXPECT_DOUBLE_EQ(lines[2].points[1].y, 100.0);
 }
 
+TEST(RowPlots, cellsStandAtTheirPlacesInTheColourOfTheirStep) {
+    ResultTable table;
+    for (const char* key : {"d", "f", "v"}) table.columns.push_back({key, key});
+    for (const double d : {1.0, 2.5, 6.0})
+        for (const double f : {10.0, 90.0})
+            if (d + f != 12.5) table.addRow({{"d", d}, {"f", f}, {"v", d * f / 540.0}});
+    RowPlot described;
+    described.x = "d";
+    described.cellsOver = "f";
+    described.y = {{"v"}};
+    described.scale = 100.0;
+    described.decimals = 0;
+    const LinePlot plot = plotsOf(described, table).front();
+    ASSERT_EQ(plot.x.ticks.size(), 3u);
+    EXPECT_EQ(plot.x.ticks[1].label, "2.5");
+    EXPECT_EQ(plot.y.ticks[1].value, 1.5);
+    ASSERT_EQ(plot.bars.size(), 8u);
+    size_t cells = 0;
+    for (size_t step = 0; step < plot.bars.size(); ++step) {
+        const PlotBars& bars = plot.bars[step];
+        ASSERT_EQ(bars.boxes.size(), bars.labels.size());
+        cells += bars.boxes.size();
+        if (step > 0) EXPECT_NE(bars.colour, plot.bars[step - 1].colour);
+        for (size_t i = 0; i < bars.boxes.size(); ++i) {
+            const PlotBox& box = bars.boxes[i];
+            const double d = std::array{1.0, 2.5, 6.0}[size_t(box.left)], f = std::array{10.0, 90.0}[size_t(box.bottom)];
+            EXPECT_EQ(bars.labels[i], plotNumber(std::round(d * f / 5.4)));
+            // From 10 / 540 to 540 / 540 in eight steps.
+            const double share = (d * f - 10.0) / 530.0;
+            EXPECT_EQ(step, std::min(size_t(share * 8.0 + 1e-9), size_t{7}));
+        }
+    }
+    EXPECT_EQ(cells, 5u) << "what has no row has no cell";
+}
+
+TEST(RowPlots, cellsOfOneValueHaveOneColour) {
+    ResultTable table;
+    for (const char* key : {"d", "f", "v"}) table.columns.push_back({key, key});
+    for (const double d : {1.0, 2.0}) table.addRow({{"d", d}, {"f", 1.0}, {"v", 0.0}});
+    RowPlot described;
+    described.x = "d";
+    described.cellsOver = "f";
+    described.y = {{"v"}};
+    const LinePlot plot = plotsOf(described, table).front();
+    ASSERT_EQ(plot.bars.size(), 1u);
+    EXPECT_EQ(plot.bars.front().boxes.size(), 2u);
+}
+
 TEST(RowPlots, plotWithoutRowsHasItsAxes) {
     ResultTable empty = table();
     empty.rows.clear();

@@ -34,6 +34,29 @@ TEST(BoxSelection, boxesInViewAreHitAndThoseBesideItAreNot) {
     EXPECT_EQ(selected.bufferWords, 1000u);
 }
 
+TEST(BoxSelection, hitRecordsSayHowNearAndHowFarABoxReachesInView) {
+    // Wholly in view; from before the near plane; to beyond the far plane; flat.
+    const std::vector<EyeBox> boxes{box({-1, -1, -6}, {1, 1, -4}), box({-1, -1, -3}, {1, 1, -0.05}),
+                                    box({-1, -1, -30}, {1, 1, -8}), box({-1, -1, -5}, {1, 1, -5})};
+    const std::vector<std::pair<double, double>> expected{{4, 6}, {0.1, 3}, {8, 10}, {5, 5}};
+    const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), boxes, 16);
+    EXPECT_THAT(selected.hits, ElementsAre(0, 1, 2, 3));
+    ASSERT_EQ(selected.distances.size(), selected.hits.size());
+    for (size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_NEAR(selected.distances[i].nearest, expected[i].first, 1e-3 * expected[i].first) << i;
+        EXPECT_NEAR(selected.distances[i].farthest, expected[i].second, 1e-3 * expected[i].second) << i;
+    }
+}
+
+TEST(BoxSelection, overflowsAreCountedAndTheDepthsAreThoseOfTheLastTime) {
+    const std::vector<EyeBox> boxes(9, box({-1, -1, -6}, {1, 1, -4}));
+    const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), boxes, 5);
+    EXPECT_EQ(selected.overflows, 3) << "5, 10, 20 words are too few for 36";
+    EXPECT_EQ(selected.bufferWords, 40u);
+    ASSERT_EQ(selected.distances.size(), 9u);
+    for (const HitDistances& distances : selected.distances) EXPECT_NEAR(distances.nearest, 4.0, 1e-3);
+}
+
 TEST(BoxQueries, boxesInViewCoverSamplesAndThoseBesideItDoNot) {
     // With clamped depth, boxes in front of near or beyond far cover samples; a box behind the eye does not, nor one seen edge-on
     // between two rows of samples.
