@@ -95,6 +95,10 @@ void StructurePanel::showToAudience() {
 
 void StructurePanel::setAudienceMapHeight(int height) { m_map->setFixedHeight(height); }
 
+bool StructurePanel::showsCurve() const {
+    return std::ranges::any_of(m_curves, [this](const CurvePanel* curve) { return curve == m_tabs->currentWidget(); });
+}
+
 std::string StructurePanel::page() const { return m_tabs->currentWidget()->objectName().toStdString(); }
 
 void StructurePanel::showPage(const std::string& id) {

@@ -41,6 +41,8 @@ public:
     /// For a lecture: the map in a low strip without a legend, and only where the strategy has one.
     void showToAudience();
     void setAudienceMapHeight(int height);
+    /// Whether the open tab has a curve.
+    [[nodiscard]] bool showsCurve() const;
     /// The id of the open tab, and opens the one with an id, where the strategy has it.
     [[nodiscard]] std::string page() const;
     void showPage(const std::string& id);

@@ -23,8 +23,9 @@ constexpr QSize kDesign{1280, 720};
 constexpr int kTitle = 44;
 constexpr int kSentence = 66;
 constexpr int kStructureWidth = 480;
-constexpr int kMapHeight = 190;
-constexpr double kMapShare = 0.42;  // of the structure's height, at most
+constexpr int kMapHeight = 260;
+constexpr double kMapShare = 0.58;         // of the structure's height, at most
+constexpr double kMapShareByCurve = 0.45;  // the same where a curve stands below, which needs room, too
 constexpr int kFoot = 56;
 constexpr int kButton = 40;
 constexpr int kSmallestLetters = 20;
@@ -34,6 +35,7 @@ constexpr int kNumberLetters = 24;
 constexpr int kPageMargin = 16;
 constexpr int kPaneGap = 4;
 constexpr double kWatchingStepsShare = 0.32;  // the same while a frame is stepped, which the listing tells
+constexpr double kWatchingByMapShare = 0.26;  // the same where a map needs room
 constexpr double kWatchingShare = 0.45;       // of the height: the view that watches from outside, over the structure
 
 /// Keys that mean something else here than in the main window.
@@ -279,6 +281,7 @@ void LectureWindow::arrangePanes(const QRect& place) {
     const std::vector<int> shown = views();
     const bool watched = shown.size() == 2 && m_session.culledBy(shown[0]) == m_session.culledBy(shown[1]);
     const bool structure = shown.size() == 1 || watched || stepped();
+    const bool map = structure && !m_structure->map().isHidden();
     const int side = structure ? scaled(kStructureWidth) : 0, margin = scaled(kPageMargin);
     QRect pictures = place.adjusted(0, 0, -side, 0);
     QRect inside(pictures.right() + 1 + margin, place.top(), std::max(0, side - 2 * margin), place.height());
@@ -289,7 +292,8 @@ void LectureWindow::arrangePanes(const QRect& place) {
     if (watched) {
         m_panes[0]->setCompare(false);
         m_panes[1]->setCompare(false);
-        const int watching = int((stepped() ? kWatchingStepsShare : kWatchingShare) * place.height());
+        const double share = map ? kWatchingByMapShare : stepped() ? kWatchingStepsShare : kWatchingShare;
+        const int watching = int(share * place.height());
         m_panes[0]->setGeometry(pictures);
         m_panes[1]->setGeometry(pictures.right() + 1 + kPaneGap, place.top(), side - kPaneGap, watching);
         inside.setTop(place.top() + watching + kPaneGap);
@@ -300,7 +304,8 @@ void LectureWindow::arrangePanes(const QRect& place) {
             m_panes[i]->setGeometry(cells[i]);
         }
     }
-    m_structure->setAudienceMapHeight(std::min(scaled(kMapHeight), int(kMapShare * inside.height())));
+    const double ofMap = m_structure->showsCurve() ? kMapShareByCurve : kMapShare;
+    m_structure->setAudienceMapHeight(std::min(scaled(kMapHeight), int(ofMap * inside.height())));
     m_structure->setVisible(structure && !m_blank && !m_session.question());
     m_structure->setGeometry(inside);
 }
