@@ -214,7 +214,7 @@ TEST_F(Views, everyStrategysTimedFrameRepeatsTheRecordedOneThatIsShown) {
         ViewStatePointer memory = strategy->begin();
         for (size_t pose = 0; pose < 3; ++pose) {
             ViewSubject subject = shown(strategy, view(pose), std::move(memory));
-            TimedFrames timed{buffers.get(), strategy, subject.view, std::move(subject.memories), {}, true};
+            TimedFrames timed{buffers.get(), strategy, subject.view, std::move(subject.memories), true};
             std::vector<TimedFrames> entrants;
             entrants.push_back(std::move(timed));
             TimedRounds rounds(std::move(entrants), protocol);
