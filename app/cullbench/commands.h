@@ -32,6 +32,7 @@ void addSweepCommand(CLI::App& app, Context& context);
 void addStabilityCommand(CLI::App& app, Context& context);
 void addSuiteCommand(CLI::App& app, Context& context);
 void addJudgeCommand(CLI::App& app, Context& context);
+void addCertifyCommand(CLI::App& app, Context& context);
 
 /// A progress bar on standard error where that is a terminal; none in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);

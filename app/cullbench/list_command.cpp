@@ -27,6 +27,8 @@ const char* typeName(ParameterType type) {
             return "integer";
         case ParameterType::Real:
             return "real";
+        case ParameterType::File:
+            return "file";
         case ParameterType::Choice:
             break;
     }
@@ -112,6 +114,7 @@ void printStrategies() {
             std::string range;
             for (const auto& choice : parameter.choices) range += (range.empty() ? "" : " | ") + choice.id;
             if (parameter.type == ParameterType::Boolean) range = "true | false";
+            if (parameter.type == ParameterType::File) range = "file";
             if (range.empty()) range = fmt::format("{} … {} {}", parameter.minimum, parameter.maximum, parameter.unit);
             say("    {} = {} (default {}): {}\n", parameter.key, range, toText(parameter.defaultValue), parameter.description);
         }

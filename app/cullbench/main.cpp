@@ -81,6 +81,7 @@ int run(int argc, char** argv) {
     addStabilityCommand(app, context);
     addSuiteCommand(app, context);
     addJudgeCommand(app, context);
+    addCertifyCommand(app, context);
     refuseEmptyValues(app);
     try {
         refuseEmptyAssignments(argc, argv);

@@ -24,6 +24,8 @@ std::string choicesOf(const ParameterDeclaration& declaration) {
         case ParameterType::Integer:
             throwUsage(CULLSCOPE_TR("%1=%2: %1 is a whole number between %3 and %4."),
                        {declaration.key, given, toText(declaration.minimum), toText(declaration.maximum)});
+        case ParameterType::File:
+            throwUsage(CULLSCOPE_TR("%1=%2: %1 is the name of a file."), {declaration.key, given});
         case ParameterType::Real:
             break;
     }
@@ -48,6 +50,8 @@ bool allowed(const ParameterDeclaration& declaration, const ParameterValue& valu
             return id != nullptr && std::any_of(declaration.choices.begin(), declaration.choices.end(),
                                                 [&](const ParameterDeclaration::Choice& choice) { return choice.id == *id; });
         }
+        case ParameterType::File:
+            return std::holds_alternative<std::string>(value);
     }
     return false;
 }
@@ -83,6 +87,7 @@ bool parse(ParameterType type, std::string_view text, ParameterValue& value) {
         case ParameterType::Real:
             return parseNumber<double>(text, value);
         case ParameterType::Choice:
+        case ParameterType::File:
             break;
     }
     value = std::string(text);
@@ -104,6 +109,10 @@ ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std
 
 ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::string description) {
     return {std::move(key), ParameterType::Boolean, defaultValue, 0.0, 0.0, "", std::move(description), {}};
+}
+
+ParameterDeclaration fileParameter(std::string key, std::string description) {
+    return readWhenBuilding({std::move(key), ParameterType::File, std::string(), 0.0, 0.0, "", std::move(description), {}});
 }
 
 ParameterDeclaration bySize(ParameterDeclaration declaration, double from) {

@@ -10,7 +10,13 @@ namespace cullscope {
 
 using ParameterValue = std::variant<bool, int64_t, double, std::string>;
 
-enum class ParameterType { Boolean, Integer, Real, Choice };
+enum class ParameterType {
+    Boolean,
+    Integer,
+    Real,
+    Choice,
+    File  ///< the name of a file, or nothing
+};
 
 /// When a parameter is read.
 enum class ParameterUse {
@@ -41,6 +47,9 @@ struct ParameterDeclaration {
 [[nodiscard]] ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
                                                    std::vector<ParameterDeclaration::Choice> choices);
 [[nodiscard]] ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::string description);
+
+/// The name of a file, which is read when building; none by default.
+[[nodiscard]] ParameterDeclaration fileParameter(std::string key, std::string description);
 
 /// The same parameter, read when building.
 [[nodiscard]] ParameterDeclaration readWhenBuilding(ParameterDeclaration declaration);

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/visibility/baseline/baselines.h"
 #include "core/visibility/baseline/oracle.h"
+#include "core/visibility/baseline/recorded.h"
 #include "core/visibility/distance/draw_distance.h"
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
@@ -46,6 +47,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         small_feature::smallFeatureBounded(),
         small_feature::levelOfDetail(),
         distance::drawDistance(),
+        baseline::recorded(),
     };
     // clang-format on
     return kStrategies;

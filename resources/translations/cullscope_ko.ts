@@ -5406,6 +5406,298 @@
         <translation>그래픽스 파이프라인</translation>
     </message>
     <message>
+        <source>%1 was written by another version: its blocks are not those of this one.</source>
+        <translation>%1 파일은 다른 버전이 쓴 것입니다. 블록이 이 버전의 것과 다릅니다.</translation>
+    </message>
+    <message>
+        <source>%1 is no state of cullbench certify that can be read.</source>
+        <translation>%1 파일은 읽을 수 있는 cullbench certify 상태가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>There is nothing to merge: name state files.</source>
+        <translation>합칠 것이 없습니다. 상태 파일을 지정하세요.</translation>
+    </message>
+    <message>
+        <source>The state files are of different runs: %1 with seed %2 and %3 blocks, and %4 with seed %5 and %6 blocks.</source>
+        <translation>상태 파일이 서로 다른 실행의 것입니다. 하나는 %1, 시드 %2, 블록 %3개이고 다른 하나는 %4, 시드 %5, 블록 %6개입니다.</translation>
+    </message>
+    <message>
+        <source>Two of the state files tried block %1: each shard is to be merged once.</source>
+        <translation>상태 파일 두 개가 블록 %1을(를) 시험했습니다. 각 조각은 한 번만 합치세요.</translation>
+    </message>
+    <message>
+        <source>%1 has the state of another run, of %2 with seed %3: name another file, or remove it.</source>
+        <translation>%1 파일에는 다른 실행(%2, 시드 %3)의 상태가 있습니다. 다른 파일을 지정하거나 이 파일을 지우세요.</translation>
+    </message>
+    <message>
+        <source>certifying</source>
+        <translation>검증 중</translation>
+    </message>
+    <message>
+        <source>strategies that promise to lose nothing lose nothing</source>
+        <translation>아무것도 잃지 않겠다고 약속한 전략은 아무것도 잃지 않음</translation>
+    </message>
+    <message>
+        <source>ends, or stops with a sentence; areas are kept and nothing is lost</source>
+        <translation>끝나거나 설명하며 멈춤. 넓이가 보존되고 잃는 것이 없음</translation>
+    </message>
+    <message>
+        <source>A sphere beside a corner of the view that passes every plane test</source>
+        <translation>시야 모서리 옆에서 모든 평면 검사를 통과하는 구</translation>
+    </message>
+    <message>
+        <source>planes do not tell it apart, the exact test does</source>
+        <translation>평면으로는 구별되지 않고 정확한 검사로는 구별됨</translation>
+    </message>
+    <message>
+        <source>A box beside the view that passes every p-vertex test</source>
+        <translation>시야 옆에서 모든 p-정점 검사를 통과하는 상자</translation>
+    </message>
+    <message>
+        <source>A flat box above a plane</source>
+        <translation>평면 위의 납작한 상자</translation>
+    </message>
+    <message>
+        <source>its extent&apos;s length keeps it, its p-vertex does not</source>
+        <translation>크기의 길이로는 남고 p-정점으로는 제거됨</translation>
+    </message>
+    <message>
+        <source>A sphere at a plane ten million from the origin</source>
+        <translation>원점에서 천만 떨어진 평면에 있는 구</translation>
+    </message>
+    <message>
+        <source>visible; floats say that it is not</source>
+        <translation>보임. 단정밀도로는 보이지 않는다고 나옴</translation>
+    </message>
+    <message>
+        <source>A file with NaN, infinite numbers, faces without area and corners that are not there</source>
+        <translation>NaN, 무한대, 넓이 없는 면, 없는 꼭짓점이 있는 파일</translation>
+    </message>
+    <message>
+        <source>counted and left out; the other faces stay</source>
+        <translation>세어서 빼고 다른 면은 남음</translation>
+    </message>
+    <message>
+        <source>A triangle over the seam of a map of directions</source>
+        <translation>방향 맵의 이음매에 걸친 삼각형</translation>
+    </message>
+    <message>
+        <source>columns 359 and 0 only</source>
+        <translation>359열과 0열만</translation>
+    </message>
+    <message>
+        <source>A triangle around the pole of a map of directions</source>
+        <translation>방향 맵의 극을 둘러싼 삼각형</translation>
+    </message>
+    <message>
+        <source>every column of the polar row</source>
+        <translation>극 행의 모든 열</translation>
+    </message>
+    <message>
+        <source>Azimuths in other quadrants than the first</source>
+        <translation>첫째 사분면이 아닌 곳의 방위각</translation>
+    </message>
+    <message>
+        <source>225 and 90 degrees</source>
+        <translation>225도와 90도</translation>
+    </message>
+    <message>
+        <source>An azimuth that rounds to a whole turn</source>
+        <translation>한 바퀴로 반올림되는 방위각</translation>
+    </message>
+    <message>
+        <source>column 359 or 0, never 360</source>
+        <translation>359열이나 0열이고 360열은 아님</translation>
+    </message>
+    <message>
+        <source>A zenith angle of a hundred-millionth of a degree</source>
+        <translation>1억분의 1도 규모의 천정각</translation>
+    </message>
+    <message>
+        <source>kept; an arc cosine gives 0</source>
+        <translation>유지됨. 아크코사인은 0을 줌</translation>
+    </message>
+    <message>
+        <source>A corner or a centroid exactly at the centre</source>
+        <translation>정확히 중심에 있는 꼭짓점이나 무게중심</translation>
+    </message>
+    <message>
+        <source>finite, and a candidate in every direction</source>
+        <translation>유한하고 모든 방향에서 후보임</translation>
+    </message>
+    <message>
+        <source>A camera at three radii at every latitude</source>
+        <translation>여러 위도에서 반지름 세 배 거리에 있는 카메라</translation>
+    </message>
+    <message>
+        <source>A camera on the polar axis</source>
+        <translation>극축 위의 카메라</translation>
+    </message>
+    <message>
+        <source>A sphere in view that all four corner rays miss</source>
+        <translation>네 모서리 광선이 모두 빗나가는 시야 안의 구</translation>
+    </message>
+    <message>
+        <source>A ray that enters the bounding sphere far from where it hits</source>
+        <translation>맞는 곳에서 먼 곳으로 경계구에 들어가는 광선</translation>
+    </message>
+    <message>
+        <source>the walk reaches the surface, 37 degrees away</source>
+        <translation>37도 떨어진 표면까지 탐색이 닿음</translation>
+    </message>
+    <message>
+        <source>A tilted torus from afar</source>
+        <translation>멀리서 본 기울어진 원환체</translation>
+    </message>
+    <message>
+        <source>A thick bowl seen into its opening</source>
+        <translation>입구 쪽에서 들여다본 두꺼운 그릇</translation>
+    </message>
+    <message>
+        <source>A camera inside the bounding sphere, and exactly at its centre</source>
+        <translation>경계구 안과 정확히 그 중심에 있는 카메라</translation>
+    </message>
+    <message>
+        <source>Two surfaces a hundredth apart, near 0.01 and far a million</source>
+        <translation>0.01 떨어진 두 면, 근평면 0.01과 원평면 백만</translation>
+    </message>
+    <message>
+        <source>The same on a depth buffer of 24 bits, in both drawing orders</source>
+        <translation>같은 것을 24비트 깊이 버퍼에 두 가지 그리는 순서로</translation>
+    </message>
+    <message>
+        <source>wrong in one of them: floats are right in both</source>
+        <translation>그중 하나에서 틀림. 부동소수는 둘 다 맞음</translation>
+    </message>
+    <message>
+        <source>A body of size 1e-18</source>
+        <translation>크기 1e-18의 물체</translation>
+    </message>
+    <message>
+        <source>A body of size 1e18</source>
+        <translation>크기 1e18의 물체</translation>
+    </message>
+    <message>
+        <source>Bodies of both sizes in one scene</source>
+        <translation>한 장면에 있는 두 크기의 물체</translation>
+    </message>
+    <message>
+        <source>A scene moved by ten million, through its transforms and through its coordinates</source>
+        <translation>변환과 좌표로 각각 천만만큼 옮긴 장면</translation>
+    </message>
+    <message>
+        <source>the same objects, the same picture away from edges, and nothing lost</source>
+        <translation>같은 물체, 모서리 밖에서 같은 그림, 잃는 것 없음</translation>
+    </message>
+    <message>
+        <source>A box around the eye, and one that reaches beyond the far plane</source>
+        <translation>눈을 둘러싼 상자와 원평면 너머까지 닿는 상자</translation>
+    </message>
+    <message>
+        <source>not outside, and nothing lost</source>
+        <translation>밖이 아니고 잃는 것 없음</translation>
+    </message>
+    <message>
+        <source>A field of view of a hundredth of a degree</source>
+        <translation>100분의 1도의 시야각</translation>
+    </message>
+    <message>
+        <source>A field of view of 179 degrees</source>
+        <translation>179도의 시야각</translation>
+    </message>
+    <message>
+        <source>An eye that turns by 180 degrees a second, and answers that come late</source>
+        <translation>초당 180도로 도는 눈과 늦게 오는 답</translation>
+    </message>
+    <message>
+        <source>without latency nothing is lost; with it the loss is seen</source>
+        <translation>지연이 없으면 잃는 것이 없고 있으면 손실이 보임</translation>
+    </message>
+    <message>
+        <source>Selection mode with 400 names in a buffer that is four words too small</source>
+        <translation>네 워드 모자란 버퍼에 이름 400개를 넣는 선택 모드</translation>
+    </message>
+    <message>
+        <source>the overflow is seen, and tried again: 400 hits</source>
+        <translation>넘침을 알아채고 다시 시도함: 400개 적중</translation>
+    </message>
+    <message>
+        <source>An object&apos;s box around the eye and the far plane, and an eye just outside of it</source>
+        <translation>눈과 원평면을 둘러싼 물체 상자와 바로 그 밖의 눈</translation>
+    </message>
+    <message>
+        <source>Three bars that overlap each other in a cycle</source>
+        <translation>서로 순환하며 겹치는 막대 셋</translation>
+    </message>
+    <message>
+        <source>cut at least once and right at every overlap; centroids alone are not</source>
+        <translation>적어도 한 번 잘리고 겹친 곳마다 맞음. 무게중심만으로는 틀림</translation>
+    </message>
+    <message>
+        <source>Edges through pixel centres: a triangle and its complement</source>
+        <translation>픽셀 중심을 지나는 변: 삼각형과 그 여집합</translation>
+    </message>
+    <message>
+        <source>10 and 6 pixels, 16 together, none twice</source>
+        <translation>10과 6픽셀, 합쳐서 16이고 겹치지 않음</translation>
+    </message>
+    <message>
+        <source>40,000 abutting parts just below the threshold of small features</source>
+        <translation>작은 형상 임계값 바로 아래의 맞닿은 부품 40,000개</translation>
+    </message>
+    <message>
+        <source>as published a hole opens; with a bound it does not</source>
+        <translation>논문대로면 구멍이 나고 한계를 두면 나지 않음</translation>
+    </message>
+    <message>
+        <source>Mirrored and flattened bodies</source>
+        <translation>거울상 물체와 납작해진 물체</translation>
+    </message>
+    <message>
+        <source>Ten thousand polygons in one plane in a BSP tree</source>
+        <translation>한 평면에 있는 다각형 만 개의 BSP 트리</translation>
+    </message>
+    <message>
+        <source>Polygons that share every edge in a BSP tree</source>
+        <translation>모든 변을 공유하는 다각형의 BSP 트리</translation>
+    </message>
+    <message>
+        <source>Slivers a billion times as long as wide in a BSP tree</source>
+        <translation>길이가 폭의 10억 배인 조각의 BSP 트리</translation>
+    </message>
+    <message>
+        <source>Ten thousand random triangles in a BSP tree</source>
+        <translation>임의 삼각형 만 개의 BSP 트리</translation>
+    </message>
+    <message>
+        <source>Two surfaces one rounding of a float apart</source>
+        <translation>단정밀도 반올림 하나만큼 떨어진 두 면</translation>
+    </message>
+    <message>
+        <source>unresolved, and not counted as missed</source>
+        <translation>구별 불가이고 누락으로 세지 않음</translation>
+    </message>
+    <message>
+        <source>Triangles through the near plane with every corner outside the view</source>
+        <translation>모든 꼭짓점이 시야 밖이고 근평면을 지나는 삼각형</translation>
+    </message>
+    <message>
+        <source>An empty object and triangles without area beside a square</source>
+        <translation>정사각형 옆의 빈 물체와 넓이 없는 삼각형</translation>
+    </message>
+    <message>
+        <source>There is no case &quot;%1&quot;. Known: their numbers, or %2.</source>
+        <translation>사례 &quot;%1&quot;이(가) 없습니다. 알려진 것: 번호 또는 %2.</translation>
+    </message>
+    <message>
+        <source>all %1 findings are right</source>
+        <translation>결과 %1개가 모두 맞음</translation>
+    </message>
+    <message>
+        <source>cut by a plane: not told apart</source>
+        <translation>평면에 걸침: 구별되지 않음</translation>
+    </message>
+    <message>
         <source>outside</source>
         <translation>밖</translation>
     </message>
@@ -5624,6 +5916,354 @@
     <message>
         <source>the centroid of the surface</source>
         <translation>표면의 무게중심</translation>
+    </message>
+    <message>
+        <source>not outside</source>
+        <translation>밖이 아님</translation>
+    </message>
+    <message>
+        <source>separate</source>
+        <translation>떨어져 있음</translation>
+    </message>
+    <message>
+        <source>not separate</source>
+        <translation>떨어져 있지 않음</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>비어 있음</translation>
+    </message>
+    <message>
+        <source>no pixel lost where it promises so</source>
+        <translation>약속한 곳에서 잃은 픽셀 없음</translation>
+    </message>
+    <message>
+        <source>its loss is measured</source>
+        <translation>손실을 잼</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels lost</source>
+        <translation>%2픽셀 중 %1픽셀 손실</translation>
+    </message>
+    <message>
+        <source>no pixel lost, or a sentence that says why it does not serve the scene</source>
+        <translation>잃은 픽셀 없음, 또는 이 장면을 다루지 못하는 까닭을 말하는 문장</translation>
+    </message>
+    <message>
+        <source>a loss that is seen</source>
+        <translation>드러나는 손실</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>시도하지 않음</translation>
+    </message>
+    <message>
+        <source>more than %1 % of the pixels lost, and that is seen</source>
+        <translation>픽셀의 %1 % 넘게 잃고 그것이 드러남</translation>
+    </message>
+    <message>
+        <source>a surface in the picture</source>
+        <translation>그림 안의 표면</translation>
+    </message>
+    <message>
+        <source>an empty picture</source>
+        <translation>빈 그림</translation>
+    </message>
+    <message>
+        <source>%1 pixels covered</source>
+        <translation>덮인 픽셀 %1개</translation>
+    </message>
+    <message>
+        <source>the nearer surface is seen</source>
+        <translation>가까운 면이 보임</translation>
+    </message>
+    <message>
+        <source>the farther surface is seen</source>
+        <translation>먼 면이 보임</translation>
+    </message>
+    <message>
+        <source>the picture of the scene at the origin</source>
+        <translation>원점에 있는 장면의 그림</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ beyond the raster&apos;s snapping</source>
+        <translation>래스터 맞춤으로 설명되지 않는 차이 %1픽셀</translation>
+    </message>
+    <message>
+        <source>the objects of the scene at the origin</source>
+        <translation>원점에 있는 장면의 물체</translation>
+    </message>
+    <message>
+        <source>%1 views with other objects</source>
+        <translation>물체가 다른 시점 %1개</translation>
+    </message>
+    <message>
+        <source>400 hits</source>
+        <translation>400개 적중</translation>
+    </message>
+    <message>
+        <source>this OpenGL has no selection mode</source>
+        <translation>이 OpenGL에는 선택 모드가 없음</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>%1보다 많음</translation>
+    </message>
+    <message>
+        <source>areas kept to 1e-9</source>
+        <translation>넓이가 1e-9까지 보존됨</translation>
+    </message>
+    <message>
+        <source>%1 polygons, areas kept to %2</source>
+        <translation>다각형 %1개, 넓이가 %2까지 보존됨</translation>
+    </message>
+    <message>
+        <source>unresolved</source>
+        <translation>구별 불가</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>누락</translation>
+    </message>
+    <message>
+        <source>another difference</source>
+        <translation>다른 차이</translation>
+    </message>
+    <message>
+        <source>The drawn sets have %1 poses, and the camera path %2: give one set for each pose.</source>
+        <translation>그린 집합에는 자세가 %1개, 카메라 경로에는 %2개 있습니다. 자세마다 집합을 하나씩 주세요.</translation>
+    </message>
+    <message>
+        <source>judging</source>
+        <translation>판정 중</translation>
+    </message>
+    <message>
+        <source>No culling: nothing is left out, and %1 objects in view are drawn in vain.</source>
+        <translation>컬링 없음: 빠진 것이 없고, 시야 안의 물체 %1개를 헛되이 그립니다.</translation>
+    </message>
+    <message>
+        <source>View-frustum culling: all %1 objects that are left out lie outside the view, nothing that is seen is missing, and %2 objects in view are drawn though they are hidden.</source>
+        <translation>절두체 컬링: 빠진 물체 %1개가 모두 시야 밖에 있고, 보이는 것은 빠지지 않았으며, 시야 안의 물체 %2개는 가려졌는데도 그립니다.</translation>
+    </message>
+    <message>
+        <source>Occlusion culling: what is left out in view is not seen, and nothing that is seen is missing.</source>
+        <translation>차폐 컬링: 시야 안에서 빠진 것은 보이지 않고, 보이는 것은 빠지지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Something that is seen is missing: %1 times a visible object is not drawn whole.</source>
+        <translation>보이는 것이 빠졌습니다. 보이는 물체가 온전히 그려지지 않은 경우가 %1번입니다.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2.</source>
+        <translation>폴더 %1을(를) 만들 수 없습니다: %2.</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>쓰는 중</translation>
+    </message>
+    <message>
+        <source>the poses that the scene gives, as those of the gallery do; of others one that shows it all</source>
+        <translation>갤러리처럼 장면이 주는 자세. 다른 장면은 전체를 보이는 자세 하나</translation>
+    </message>
+    <message>
+        <source>%1: drawn sets need a list &quot;poses&quot; with at least one pose.</source>
+        <translation>%1: 그린 집합에는 자세가 하나 이상인 &quot;poses&quot; 목록이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>%1: some poses have a camera and some have none. Give every pose one, or none.</source>
+        <translation>%1: 카메라가 있는 자세와 없는 자세가 섞여 있습니다. 모든 자세에 주거나 모두 빼세요.</translation>
+    </message>
+    <message>
+        <source>%1: pose %2 needs a list &quot;objects&quot; or a list &quot;triangles&quot; of what is drawn.</source>
+        <translation>%1: 자세 %2에는 그린 것의 &quot;objects&quot; 목록이나 &quot;triangles&quot; 목록이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>%1: pose %2: %3 names nothing in this scene of %4 triangles in %5 objects. Numbers count from 0.</source>
+        <translation>%1: 자세 %2: 물체 %5개, 삼각형 %4개인 이 장면에는 %3에 해당하는 것이 없습니다. 번호는 0부터 셉니다.</translation>
+    </message>
+    <message>
+        <source>%1 is not JSON: it breaks off at byte %2. Drawn sets have a list &quot;poses&quot;.</source>
+        <translation>%1 파일은 JSON이 아닙니다. %2바이트에서 끊깁니다. 그린 집합에는 &quot;poses&quot; 목록이 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 holds a number that is too large.</source>
+        <translation>%1 파일에 너무 큰 수가 있습니다.</translation>
+    </message>
+    <message>
+        <source>a sphere beside a corner of the view that no single plane of it tells apart</source>
+        <translation>어느 한 평면으로도 구별되지 않는, 시야 모서리 옆의 구</translation>
+    </message>
+    <message>
+        <source>a box beside the view that no single plane of it tells apart</source>
+        <translation>어느 한 평면으로도 구별되지 않는, 시야 옆의 상자</translation>
+    </message>
+    <message>
+        <source>a corner and a centroid exactly at the centre of the bounding sphere</source>
+        <translation>정확히 경계구 중심에 있는 꼭짓점과 무게중심</translation>
+    </message>
+    <message>
+        <source>a sphere from three radii, at latitudes from the equator to the pole</source>
+        <translation>적도에서 극까지의 위도에서 반지름 세 배 거리로 본 구</translation>
+    </message>
+    <message>
+        <source>a sphere from above and below its poles</source>
+        <translation>극의 위와 아래에서 본 구</translation>
+    </message>
+    <message>
+        <source>a sphere half in view that all four corner rays miss</source>
+        <translation>네 모서리 광선이 모두 빗나가는, 반쯤 보이는 구</translation>
+    </message>
+    <message>
+        <source>a ball of half the radius of its bounding sphere: rays enter far from where they hit</source>
+        <translation>경계구 반지름의 절반인 공: 광선이 맞는 곳에서 먼 곳으로 들어감</translation>
+    </message>
+    <message>
+        <source>a torus tilted by 60 degrees, from afar</source>
+        <translation>60도 기울어진 원환체, 멀리서 봄</translation>
+    </message>
+    <message>
+        <source>a thick bowl seen into its opening</source>
+        <translation>입구 쪽에서 들여다본 두꺼운 그릇</translation>
+    </message>
+    <message>
+        <source>a star-shaped body from inside and from its very centre</source>
+        <translation>안과 바로 그 중심에서 본 별꼴 물체</translation>
+    </message>
+    <message>
+        <source>two squares a hundredth apart at distance 1000, near 0.01 and far a million</source>
+        <translation>거리 1000에서 0.01 떨어진 두 정사각형, 근평면 0.01과 원평면 백만</translation>
+    </message>
+    <message>
+        <source>a body of size 1e-18</source>
+        <translation>크기 1e-18의 물체</translation>
+    </message>
+    <message>
+        <source>a body of size 1e18</source>
+        <translation>크기 1e18의 물체</translation>
+    </message>
+    <message>
+        <source>bodies of sizes 1e-18 and 1e18 in one scene</source>
+        <translation>한 장면에 있는 크기 1e-18과 1e18의 물체</translation>
+    </message>
+    <message>
+        <source>four bodies at the origin, as those of case 21 that are moved</source>
+        <translation>원점에 있는 물체 넷. 사례 21에서 옮겨지는 것과 같음</translation>
+    </message>
+    <message>
+        <source>four bodies moved by ten million through their transforms</source>
+        <translation>변환으로 천만만큼 옮긴 물체 넷</translation>
+    </message>
+    <message>
+        <source>four bodies moved by ten million through their coordinates</source>
+        <translation>좌표로 천만만큼 옮긴 물체 넷</translation>
+    </message>
+    <message>
+        <source>a box around the eye, and one that reaches beyond the far plane on all sides</source>
+        <translation>눈을 둘러싼 상자와 사방으로 원평면 너머까지 닿는 상자</translation>
+    </message>
+    <message>
+        <source>a body in a field of view of a hundredth of a degree</source>
+        <translation>100분의 1도 시야각 안의 물체</translation>
+    </message>
+    <message>
+        <source>a body in a field of view of 179 degrees</source>
+        <translation>179도 시야각 안의 물체</translation>
+    </message>
+    <message>
+        <source>walls with bodies behind them, from an eye that turns by 180 degrees a second</source>
+        <translation>초당 180도로 도는 눈에서 본, 뒤에 물체가 있는 벽들</translation>
+    </message>
+    <message>
+        <source>an object whose box holds the eye and the far plane</source>
+        <translation>상자 안에 눈과 원평면이 있는 물체</translation>
+    </message>
+    <message>
+        <source>three bars that overlap each other in a cycle</source>
+        <translation>서로 순환하며 겹치는 막대 셋</translation>
+    </message>
+    <message>
+        <source>a triangle and its complement whose edges pass through pixel centres of an 8x8 picture</source>
+        <translation>8x8 그림의 픽셀 중심을 변이 지나는 삼각형과 그 여집합</translation>
+    </message>
+    <message>
+        <source>200 by 200 abutting parts just below the threshold of small features</source>
+        <translation>작은 형상 임계값 바로 아래의 맞닿은 부품 200 × 200개</translation>
+    </message>
+    <message>
+        <source>a mirrored body and a flattened one</source>
+        <translation>거울상 물체와 납작해진 물체</translation>
+    </message>
+    <message>
+        <source>ten thousand triangles in one plane</source>
+        <translation>한 평면에 있는 삼각형 만 개</translation>
+    </message>
+    <message>
+        <source>triangles that share their edges with many others</source>
+        <translation>다른 많은 삼각형과 변을 공유하는 삼각형</translation>
+    </message>
+    <message>
+        <source>slivers a billion times as long as wide, among random triangles</source>
+        <translation>임의 삼각형 사이에 있는, 길이가 폭의 10억 배인 조각</translation>
+    </message>
+    <message>
+        <source>ten thousand random triangles that fill a cube</source>
+        <translation>정육면체를 채운 임의 삼각형 만 개</translation>
+    </message>
+    <message>
+        <source>two squares one rounding of a float apart</source>
+        <translation>단정밀도 반올림 하나만큼 떨어진 두 정사각형</translation>
+    </message>
+    <message>
+        <source>triangles through the near plane with every corner outside the view</source>
+        <translation>모든 꼭짓점이 시야 밖이고 근평면을 지나는 삼각형</translation>
+    </message>
+    <message>
+        <source>an empty object and triangles without area beside a square</source>
+        <translation>정사각형 옆의 빈 물체와 넓이 없는 삼각형</translation>
+    </message>
+    <message>
+        <source>%1 has no cameras beside its sets, by which a view would find its own: give every pose eye, target and up.</source>
+        <translation>%1 파일에는 시점이 자기 집합을 찾는 데 쓸 카메라가 없습니다. 모든 자세에 eye, target, up을 주세요.</translation>
+    </message>
+    <message>
+        <source>The camera of pose %1 of the file is the nearest one: its set is drawn.</source>
+        <translation>파일의 자세 %1의 카메라가 가장 가깝습니다. 그 집합을 그립니다.</translation>
+    </message>
+    <message>
+        <source>No file is named: everything is drawn.</source>
+        <translation>지정된 파일이 없습니다. 모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>기록</translation>
+    </message>
+    <message>
+        <source>Draws what another program says that it draws at the nearest pose, from a file.</source>
+        <translation>가장 가까운 자세에서 다른 프로그램이 그린다고 한 것을 파일에서 읽어 그립니다.</translation>
+    </message>
+    <message>
+        <source>File of drawn sets with their cameras (JSON); without one everything is drawn.</source>
+        <translation>카메라가 있는 그린 집합 파일(JSON). 없으면 모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>take the pose with the nearest camera</source>
+        <translation>카메라가 가장 가까운 자세를 고름</translation>
+    </message>
+    <message>
+        <source>draw what the file has of it</source>
+        <translation>파일에 있는 그 물체의 부분을 그림</translation>
+    </message>
+    <message>
+        <source>%1=%2: %1 is the name of a file.</source>
+        <translation>%1=%2: %1은(는) 파일 이름입니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 findings are wrong, the first one: %3</source>
+        <translation>결과 %2개 중 %1개가 틀림, 첫째: %3</translation>
+    </message>
+    <message>
+        <source>all %1 findings are right; the control fails as it must: %2</source>
+        <translation>결과 %1개가 모두 맞고 대조군은 마땅히 실패함: %2</translation>
     </message>
 </context>
 <context>
@@ -6889,6 +7529,14 @@ OpenGL %2
         <source>As on the command line: %1</source>
         <translation>명령줄에서: %1</translation>
     </message>
+    <message>
+        <source>no file</source>
+        <translation>파일 없음</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>파일 고르기</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ParetoPlot</name>
@@ -7925,6 +8573,89 @@ sides [95 %]</source>
     <message>
         <source>Split</source>
         <translation>나누기</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StabilityDialog</name>
+    <message>
+        <source>&amp;Run all</source>
+        <translation>모두 실행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Run the &amp;chosen cases</source>
+        <translation>고른 사례 실행(&amp;C)</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>취소(&amp;A)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>닫기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Stability: the battery of extreme cases</source>
+        <translation>안정성: 극단 사례 모음</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>사례</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>정답</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Cases with their right answers and what was found</source>
+        <translation>사례와 정답과 결과</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>진행</translation>
+    </message>
+    <message>
+        <source>This case has no scene.</source>
+        <translation>이 사례에는 장면이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Double click: open %1</source>
+        <translation>두 번 클릭: %1 열기</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>맞음</translation>
+    </message>
+    <message>
+        <source>WRONG</source>
+        <translation>틀림</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>대조군</translation>
+    </message>
+    <message>
+        <source>refuses</source>
+        <translation>거절</translation>
+    </message>
+    <message>
+        <source>Each case is a scene or a computation at the edge of what numbers hold, with its right answer. Run them, and see what every strategy does there; a double click opens the scene.</source>
+        <translation>각 사례는 수가 담을 수 있는 한계에 있는 장면이나 계산이며 정답이 있습니다. 실행하면 모든 전략이 거기서 무엇을 하는지 볼 수 있고, 두 번 클릭하면 장면이 열립니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases are wrong.</source>
+        <translation>사례 %2개 중 %1개가 틀렸습니다.</translation>
+    </message>
+    <message>
+        <source>All %1 cases are right.</source>
+        <translation>사례 %1개가 모두 맞습니다.</translation>
     </message>
 </context>
 <context>
@@ -9157,6 +9888,14 @@ sides [95 %]</source>
     <message>
         <source>Cut the pictures by a plane, to look inside: a section</source>
         <translation>그림을 평면으로 잘라 안을 봅니다(단면)</translation>
+    </message>
+    <message>
+        <source>Sta&amp;bility…</source>
+        <translation>안정성(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Run the battery of extreme cases, and open their scenes</source>
+        <translation>극단 사례 모음을 실행하고 그 장면을 엽니다</translation>
     </message>
 </context>
 </TS>

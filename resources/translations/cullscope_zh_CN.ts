@@ -5625,6 +5625,650 @@
         <source>the centroid of the surface</source>
         <translation>表面的质心</translation>
     </message>
+    <message>
+        <source>%1 was written by another version: its blocks are not those of this one.</source>
+        <translation>%1 由另一版本写成：其分块与本版本不同。</translation>
+    </message>
+    <message>
+        <source>%1 is no state of cullbench certify that can be read.</source>
+        <translation>%1 不是可读的 cullbench certify 状态文件。</translation>
+    </message>
+    <message>
+        <source>There is nothing to merge: name state files.</source>
+        <translation>没有可合并的内容：请指定状态文件。</translation>
+    </message>
+    <message>
+        <source>The state files are of different runs: %1 with seed %2 and %3 blocks, and %4 with seed %5 and %6 blocks.</source>
+        <translation>状态文件属于不同的运行：一个是 %1，种子 %2，%3 个分块；另一个是 %4，种子 %5，%6 个分块。</translation>
+    </message>
+    <message>
+        <source>Two of the state files tried block %1: each shard is to be merged once.</source>
+        <translation>有两个状态文件都试过分块 %1：每个分片只应合并一次。</translation>
+    </message>
+    <message>
+        <source>%1 has the state of another run, of %2 with seed %3: name another file, or remove it.</source>
+        <translation>%1 中是另一次运行（%2，种子 %3）的状态：请指定其他文件，或删除它。</translation>
+    </message>
+    <message>
+        <source>certifying</source>
+        <translation>正在验证</translation>
+    </message>
+    <message>
+        <source>strategies that promise to lose nothing lose nothing</source>
+        <translation>承诺不丢失的策略什么也不丢失</translation>
+    </message>
+    <message>
+        <source>ends, or stops with a sentence; areas are kept and nothing is lost</source>
+        <translation>正常结束，或以一句说明停止；面积保持，无丢失</translation>
+    </message>
+    <message>
+        <source>A sphere beside a corner of the view that passes every plane test</source>
+        <translation>位于视野角旁、通过所有平面测试的球</translation>
+    </message>
+    <message>
+        <source>planes do not tell it apart, the exact test does</source>
+        <translation>平面无法区分，精确测试可以</translation>
+    </message>
+    <message>
+        <source>A box beside the view that passes every p-vertex test</source>
+        <translation>位于视野旁、通过所有 p 顶点测试的盒</translation>
+    </message>
+    <message>
+        <source>A flat box above a plane</source>
+        <translation>平面上方的扁盒</translation>
+    </message>
+    <message>
+        <source>its extent&apos;s length keeps it, its p-vertex does not</source>
+        <translation>按范围长度会保留它，按 p 顶点则剔除</translation>
+    </message>
+    <message>
+        <source>A sphere at a plane ten million from the origin</source>
+        <translation>距原点一千万处平面上的球</translation>
+    </message>
+    <message>
+        <source>visible; floats say that it is not</source>
+        <translation>可见；单精度浮点数会说不可见</translation>
+    </message>
+    <message>
+        <source>A file with NaN, infinite numbers, faces without area and corners that are not there</source>
+        <translation>含 NaN、无穷大、无面积的面和不存在的角点的文件</translation>
+    </message>
+    <message>
+        <source>counted and left out; the other faces stay</source>
+        <translation>计数后略去；其余面保留</translation>
+    </message>
+    <message>
+        <source>A triangle over the seam of a map of directions</source>
+        <translation>跨越方向图接缝的三角形</translation>
+    </message>
+    <message>
+        <source>columns 359 and 0 only</source>
+        <translation>仅第 359 列和第 0 列</translation>
+    </message>
+    <message>
+        <source>A triangle around the pole of a map of directions</source>
+        <translation>环绕方向图极点的三角形</translation>
+    </message>
+    <message>
+        <source>every column of the polar row</source>
+        <translation>极行的每一列</translation>
+    </message>
+    <message>
+        <source>Azimuths in other quadrants than the first</source>
+        <translation>第一象限以外的方位角</translation>
+    </message>
+    <message>
+        <source>225 and 90 degrees</source>
+        <translation>225 度和 90 度</translation>
+    </message>
+    <message>
+        <source>An azimuth that rounds to a whole turn</source>
+        <translation>舍入为一整圈的方位角</translation>
+    </message>
+    <message>
+        <source>column 359 or 0, never 360</source>
+        <translation>第 359 列或第 0 列，绝非 360</translation>
+    </message>
+    <message>
+        <source>A zenith angle of a hundred-millionth of a degree</source>
+        <translation>约一亿分之一度的天顶角</translation>
+    </message>
+    <message>
+        <source>kept; an arc cosine gives 0</source>
+        <translation>得以保留；反余弦会得到 0</translation>
+    </message>
+    <message>
+        <source>A corner or a centroid exactly at the centre</source>
+        <translation>恰好位于中心的角点或重心</translation>
+    </message>
+    <message>
+        <source>finite, and a candidate in every direction</source>
+        <translation>有限，并且在每个方向上都是候选</translation>
+    </message>
+    <message>
+        <source>A camera at three radii at every latitude</source>
+        <translation>在各纬度上位于三倍半径处的相机</translation>
+    </message>
+    <message>
+        <source>A camera on the polar axis</source>
+        <translation>位于极轴上的相机</translation>
+    </message>
+    <message>
+        <source>A sphere in view that all four corner rays miss</source>
+        <translation>四条角射线都未击中的可见球</translation>
+    </message>
+    <message>
+        <source>A ray that enters the bounding sphere far from where it hits</source>
+        <translation>进入包围球处远离击中处的射线</translation>
+    </message>
+    <message>
+        <source>the walk reaches the surface, 37 degrees away</source>
+        <translation>搜索能到达相隔 37 度的表面</translation>
+    </message>
+    <message>
+        <source>A tilted torus from afar</source>
+        <translation>从远处看的倾斜圆环</translation>
+    </message>
+    <message>
+        <source>A thick bowl seen into its opening</source>
+        <translation>朝开口看去的厚碗</translation>
+    </message>
+    <message>
+        <source>A camera inside the bounding sphere, and exactly at its centre</source>
+        <translation>位于包围球内以及恰在其中心的相机</translation>
+    </message>
+    <message>
+        <source>Two surfaces a hundredth apart, near 0.01 and far a million</source>
+        <translation>相距百分之一的两个表面，近 0.01、远一百万</translation>
+    </message>
+    <message>
+        <source>The same on a depth buffer of 24 bits, in both drawing orders</source>
+        <translation>同样情形用 24 位深度缓冲，以两种绘制次序</translation>
+    </message>
+    <message>
+        <source>wrong in one of them: floats are right in both</source>
+        <translation>其中一种会错：浮点深度两种都对</translation>
+    </message>
+    <message>
+        <source>A body of size 1e-18</source>
+        <translation>尺寸为 1e-18 的物体</translation>
+    </message>
+    <message>
+        <source>A body of size 1e18</source>
+        <translation>尺寸为 1e18 的物体</translation>
+    </message>
+    <message>
+        <source>Bodies of both sizes in one scene</source>
+        <translation>同一场景中两种尺寸的物体</translation>
+    </message>
+    <message>
+        <source>A scene moved by ten million, through its transforms and through its coordinates</source>
+        <translation>通过变换以及通过坐标移动一千万的场景</translation>
+    </message>
+    <message>
+        <source>the same objects, the same picture away from edges, and nothing lost</source>
+        <translation>对象相同，边缘以外画面相同，且无丢失</translation>
+    </message>
+    <message>
+        <source>A box around the eye, and one that reaches beyond the far plane</source>
+        <translation>包围眼睛的盒，以及超出远平面的盒</translation>
+    </message>
+    <message>
+        <source>not outside, and nothing lost</source>
+        <translation>不在外部，且无丢失</translation>
+    </message>
+    <message>
+        <source>A field of view of a hundredth of a degree</source>
+        <translation>百分之一度的视场角</translation>
+    </message>
+    <message>
+        <source>A field of view of 179 degrees</source>
+        <translation>179 度的视场角</translation>
+    </message>
+    <message>
+        <source>An eye that turns by 180 degrees a second, and answers that come late</source>
+        <translation>每秒转动 180 度的眼睛，以及迟到的答案</translation>
+    </message>
+    <message>
+        <source>without latency nothing is lost; with it the loss is seen</source>
+        <translation>无延迟时无丢失；有延迟时可见丢失</translation>
+    </message>
+    <message>
+        <source>Selection mode with 400 names in a buffer that is four words too small</source>
+        <translation>选择模式：400 个名称放入少四个字的缓冲区</translation>
+    </message>
+    <message>
+        <source>the overflow is seen, and tried again: 400 hits</source>
+        <translation>发现溢出并重试：400 次命中</translation>
+    </message>
+    <message>
+        <source>An object&apos;s box around the eye and the far plane, and an eye just outside of it</source>
+        <translation>包围眼睛和远平面的对象盒，以及恰在其外的眼睛</translation>
+    </message>
+    <message>
+        <source>Three bars that overlap each other in a cycle</source>
+        <translation>循环相互遮挡的三根条</translation>
+    </message>
+    <message>
+        <source>cut at least once and right at every overlap; centroids alone are not</source>
+        <translation>至少切割一次且每处重叠都正确；仅用重心则不正确</translation>
+    </message>
+    <message>
+        <source>Edges through pixel centres: a triangle and its complement</source>
+        <translation>穿过像素中心的边：三角形及其补形</translation>
+    </message>
+    <message>
+        <source>10 and 6 pixels, 16 together, none twice</source>
+        <translation>10 和 6 个像素，合计 16，无重复</translation>
+    </message>
+    <message>
+        <source>40,000 abutting parts just below the threshold of small features</source>
+        <translation>40,000 个相接、略低于小特征阈值的部件</translation>
+    </message>
+    <message>
+        <source>as published a hole opens; with a bound it does not</source>
+        <translation>按论文会出现空洞；有界限时不会</translation>
+    </message>
+    <message>
+        <source>Mirrored and flattened bodies</source>
+        <translation>镜像和压扁的物体</translation>
+    </message>
+    <message>
+        <source>Ten thousand polygons in one plane in a BSP tree</source>
+        <translation>BSP 树中同一平面的一万个多边形</translation>
+    </message>
+    <message>
+        <source>Polygons that share every edge in a BSP tree</source>
+        <translation>BSP 树中共享每条边的多边形</translation>
+    </message>
+    <message>
+        <source>Slivers a billion times as long as wide in a BSP tree</source>
+        <translation>BSP 树中长为宽十亿倍的狭条</translation>
+    </message>
+    <message>
+        <source>Ten thousand random triangles in a BSP tree</source>
+        <translation>BSP 树中的一万个随机三角形</translation>
+    </message>
+    <message>
+        <source>Two surfaces one rounding of a float apart</source>
+        <translation>相差一个浮点舍入的两个表面</translation>
+    </message>
+    <message>
+        <source>unresolved, and not counted as missed</source>
+        <translation>无法分辨，且不计为缺失</translation>
+    </message>
+    <message>
+        <source>Triangles through the near plane with every corner outside the view</source>
+        <translation>穿过近平面、所有角点都在视野外的三角形</translation>
+    </message>
+    <message>
+        <source>An empty object and triangles without area beside a square</source>
+        <translation>正方形旁的空对象和无面积三角形</translation>
+    </message>
+    <message>
+        <source>There is no case &quot;%1&quot;. Known: their numbers, or %2.</source>
+        <translation>没有案例“%1”。已知：其编号，或 %2。</translation>
+    </message>
+    <message>
+        <source>all %1 findings are right</source>
+        <translation>全部 %1 项结果正确</translation>
+    </message>
+    <message>
+        <source>cut by a plane: not told apart</source>
+        <translation>被平面切过：无法区分</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>在外部</translation>
+    </message>
+    <message>
+        <source>not outside</source>
+        <translation>不在外部</translation>
+    </message>
+    <message>
+        <source>separate</source>
+        <translation>分离</translation>
+    </message>
+    <message>
+        <source>not separate</source>
+        <translation>不分离</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>空</translation>
+    </message>
+    <message>
+        <source>no pixel lost where it promises so</source>
+        <translation>在其承诺之处无像素丢失</translation>
+    </message>
+    <message>
+        <source>its loss is measured</source>
+        <translation>测量其丢失</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pixels lost</source>
+        <translation>%2 个像素中丢失 %1 个</translation>
+    </message>
+    <message>
+        <source>no pixel lost, or a sentence that says why it does not serve the scene</source>
+        <translation>无像素丢失，或以一句话说明为何不适用于该场景</translation>
+    </message>
+    <message>
+        <source>a loss that is seen</source>
+        <translation>可见的丢失</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>未尝试</translation>
+    </message>
+    <message>
+        <source>more than %1 % of the pixels lost, and that is seen</source>
+        <translation>丢失超过 %1 % 的像素，并被发现</translation>
+    </message>
+    <message>
+        <source>a surface in the picture</source>
+        <translation>画面中有表面</translation>
+    </message>
+    <message>
+        <source>an empty picture</source>
+        <translation>空画面</translation>
+    </message>
+    <message>
+        <source>%1 pixels covered</source>
+        <translation>覆盖 %1 个像素</translation>
+    </message>
+    <message>
+        <source>the nearer surface is seen</source>
+        <translation>看到较近的表面</translation>
+    </message>
+    <message>
+        <source>the farther surface is seen</source>
+        <translation>看到较远的表面</translation>
+    </message>
+    <message>
+        <source>the picture of the scene at the origin</source>
+        <translation>位于原点的场景的画面</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ beyond the raster&apos;s snapping</source>
+        <translation>%1 个像素的差异超出光栅对齐</translation>
+    </message>
+    <message>
+        <source>the objects of the scene at the origin</source>
+        <translation>位于原点的场景的对象</translation>
+    </message>
+    <message>
+        <source>%1 views with other objects</source>
+        <translation>%1 个视点的对象不同</translation>
+    </message>
+    <message>
+        <source>400 hits</source>
+        <translation>400 次命中</translation>
+    </message>
+    <message>
+        <source>this OpenGL has no selection mode</source>
+        <translation>此 OpenGL 没有选择模式</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>多于 %1</translation>
+    </message>
+    <message>
+        <source>areas kept to 1e-9</source>
+        <translation>面积保持到 1e-9</translation>
+    </message>
+    <message>
+        <source>%1 polygons, areas kept to %2</source>
+        <translation>%1 个多边形，面积保持到 %2</translation>
+    </message>
+    <message>
+        <source>unresolved</source>
+        <translation>无法分辨</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>another difference</source>
+        <translation>其他差异</translation>
+    </message>
+    <message>
+        <source>The drawn sets have %1 poses, and the camera path %2: give one set for each pose.</source>
+        <translation>绘制集有 %1 个姿态，而相机路径有 %2 个：请为每个姿态给出一个集合。</translation>
+    </message>
+    <message>
+        <source>judging</source>
+        <translation>正在评判</translation>
+    </message>
+    <message>
+        <source>No culling: nothing is left out, and %1 objects in view are drawn in vain.</source>
+        <translation>无剔除：没有略去任何对象，视野内有 %1 个对象被白白绘制。</translation>
+    </message>
+    <message>
+        <source>View-frustum culling: all %1 objects that are left out lie outside the view, nothing that is seen is missing, and %2 objects in view are drawn though they are hidden.</source>
+        <translation>视锥剔除：略去的 %1 个对象都在视野外，可见的没有缺失，视野内有 %2 个对象虽被遮挡仍被绘制。</translation>
+    </message>
+    <message>
+        <source>Occlusion culling: what is left out in view is not seen, and nothing that is seen is missing.</source>
+        <translation>遮挡剔除：视野内略去的都不可见，可见的没有缺失。</translation>
+    </message>
+    <message>
+        <source>Something that is seen is missing: %1 times a visible object is not drawn whole.</source>
+        <translation>可见的内容有缺失：有 %1 次可见对象未被完整绘制。</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2.</source>
+        <translation>无法创建文件夹 %1：%2。</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>正在写入</translation>
+    </message>
+    <message>
+        <source>the poses that the scene gives, as those of the gallery do; of others one that shows it all</source>
+        <translation>场景给出的姿态，如图库场景；其他场景为显示全部的一个姿态</translation>
+    </message>
+    <message>
+        <source>%1: drawn sets need a list &quot;poses&quot; with at least one pose.</source>
+        <translation>%1：绘制集需要至少含一个姿态的列表“poses”。</translation>
+    </message>
+    <message>
+        <source>%1: some poses have a camera and some have none. Give every pose one, or none.</source>
+        <translation>%1：有的姿态有相机，有的没有。请全部给出，或全部不给。</translation>
+    </message>
+    <message>
+        <source>%1: pose %2 needs a list &quot;objects&quot; or a list &quot;triangles&quot; of what is drawn.</source>
+        <translation>%1：姿态 %2 需要列出所绘内容的列表“objects”或“triangles”。</translation>
+    </message>
+    <message>
+        <source>%1: pose %2: %3 names nothing in this scene of %4 triangles in %5 objects. Numbers count from 0.</source>
+        <translation>%1：姿态 %2：在这个有 %4 个三角形、%5 个对象的场景中，%3 不指任何内容。编号从 0 起。</translation>
+    </message>
+    <message>
+        <source>%1 is not JSON: it breaks off at byte %2. Drawn sets have a list &quot;poses&quot;.</source>
+        <translation>%1 不是 JSON：在第 %2 字节处中断。绘制集有列表“poses”。</translation>
+    </message>
+    <message>
+        <source>%1 holds a number that is too large.</source>
+        <translation>%1 含有过大的数。</translation>
+    </message>
+    <message>
+        <source>a sphere beside a corner of the view that no single plane of it tells apart</source>
+        <translation>视野角旁的球，任何单个平面都无法区分</translation>
+    </message>
+    <message>
+        <source>a box beside the view that no single plane of it tells apart</source>
+        <translation>视野旁的盒，任何单个平面都无法区分</translation>
+    </message>
+    <message>
+        <source>a corner and a centroid exactly at the centre of the bounding sphere</source>
+        <translation>恰在包围球中心的角点和重心</translation>
+    </message>
+    <message>
+        <source>a sphere from three radii, at latitudes from the equator to the pole</source>
+        <translation>从赤道到极点各纬度、三倍半径处看的球</translation>
+    </message>
+    <message>
+        <source>a sphere from above and below its poles</source>
+        <translation>从两极上方和下方看的球</translation>
+    </message>
+    <message>
+        <source>a sphere half in view that all four corner rays miss</source>
+        <translation>半在视野中、四条角射线都未击中的球</translation>
+    </message>
+    <message>
+        <source>a ball of half the radius of its bounding sphere: rays enter far from where they hit</source>
+        <translation>半径为包围球一半的球：射线进入处远离击中处</translation>
+    </message>
+    <message>
+        <source>a torus tilted by 60 degrees, from afar</source>
+        <translation>倾斜 60 度的圆环，从远处看</translation>
+    </message>
+    <message>
+        <source>a thick bowl seen into its opening</source>
+        <translation>朝开口看去的厚碗</translation>
+    </message>
+    <message>
+        <source>a star-shaped body from inside and from its very centre</source>
+        <translation>从内部及正中心看的星形体</translation>
+    </message>
+    <message>
+        <source>two squares a hundredth apart at distance 1000, near 0.01 and far a million</source>
+        <translation>距离 1000 处相距百分之一的两个正方形，近 0.01、远一百万</translation>
+    </message>
+    <message>
+        <source>a body of size 1e-18</source>
+        <translation>尺寸为 1e-18 的物体</translation>
+    </message>
+    <message>
+        <source>a body of size 1e18</source>
+        <translation>尺寸为 1e18 的物体</translation>
+    </message>
+    <message>
+        <source>bodies of sizes 1e-18 and 1e18 in one scene</source>
+        <translation>同一场景中尺寸为 1e-18 和 1e18 的物体</translation>
+    </message>
+    <message>
+        <source>four bodies at the origin, as those of case 21 that are moved</source>
+        <translation>位于原点的四个物体，与案例 21 中被移动的相同</translation>
+    </message>
+    <message>
+        <source>four bodies moved by ten million through their transforms</source>
+        <translation>通过变换移动一千万的四个物体</translation>
+    </message>
+    <message>
+        <source>four bodies moved by ten million through their coordinates</source>
+        <translation>通过坐标移动一千万的四个物体</translation>
+    </message>
+    <message>
+        <source>a box around the eye, and one that reaches beyond the far plane on all sides</source>
+        <translation>包围眼睛的盒，以及四面都超出远平面的盒</translation>
+    </message>
+    <message>
+        <source>a body in a field of view of a hundredth of a degree</source>
+        <translation>百分之一度视场角中的物体</translation>
+    </message>
+    <message>
+        <source>a body in a field of view of 179 degrees</source>
+        <translation>179 度视场角中的物体</translation>
+    </message>
+    <message>
+        <source>walls with bodies behind them, from an eye that turns by 180 degrees a second</source>
+        <translation>从每秒转动 180 度的眼睛看，背后有物体的墙</translation>
+    </message>
+    <message>
+        <source>an object whose box holds the eye and the far plane</source>
+        <translation>其盒包含眼睛和远平面的对象</translation>
+    </message>
+    <message>
+        <source>three bars that overlap each other in a cycle</source>
+        <translation>循环相互遮挡的三根条</translation>
+    </message>
+    <message>
+        <source>a triangle and its complement whose edges pass through pixel centres of an 8x8 picture</source>
+        <translation>三角形及其补形，其边穿过 8x8 画面的像素中心</translation>
+    </message>
+    <message>
+        <source>200 by 200 abutting parts just below the threshold of small features</source>
+        <translation>200 乘 200 个相接、略低于小特征阈值的部件</translation>
+    </message>
+    <message>
+        <source>a mirrored body and a flattened one</source>
+        <translation>一个镜像物体和一个压扁物体</translation>
+    </message>
+    <message>
+        <source>ten thousand triangles in one plane</source>
+        <translation>同一平面的一万个三角形</translation>
+    </message>
+    <message>
+        <source>triangles that share their edges with many others</source>
+        <translation>与许多其他三角形共享边的三角形</translation>
+    </message>
+    <message>
+        <source>slivers a billion times as long as wide, among random triangles</source>
+        <translation>随机三角形之间长为宽十亿倍的狭条</translation>
+    </message>
+    <message>
+        <source>ten thousand random triangles that fill a cube</source>
+        <translation>充满立方体的一万个随机三角形</translation>
+    </message>
+    <message>
+        <source>two squares one rounding of a float apart</source>
+        <translation>相差一个浮点舍入的两个正方形</translation>
+    </message>
+    <message>
+        <source>triangles through the near plane with every corner outside the view</source>
+        <translation>穿过近平面、所有角点都在视野外的三角形</translation>
+    </message>
+    <message>
+        <source>an empty object and triangles without area beside a square</source>
+        <translation>正方形旁的空对象和无面积三角形</translation>
+    </message>
+    <message>
+        <source>%1 has no cameras beside its sets, by which a view would find its own: give every pose eye, target and up.</source>
+        <translation>%1 的集合旁没有相机，视图无法据此找到自己的集合：请为每个姿态给出 eye、target 和 up。</translation>
+    </message>
+    <message>
+        <source>The camera of pose %1 of the file is the nearest one: its set is drawn.</source>
+        <translation>文件中姿态 %1 的相机最近：绘制它的集合。</translation>
+    </message>
+    <message>
+        <source>No file is named: everything is drawn.</source>
+        <translation>未指定文件：绘制全部。</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Draws what another program says that it draws at the nearest pose, from a file.</source>
+        <translation>从文件读取并绘制另一程序声称在最近姿态所绘制的内容。</translation>
+    </message>
+    <message>
+        <source>File of drawn sets with their cameras (JSON); without one everything is drawn.</source>
+        <translation>带相机的绘制集文件（JSON）；没有则绘制全部。</translation>
+    </message>
+    <message>
+        <source>take the pose with the nearest camera</source>
+        <translation>取相机最近的姿态</translation>
+    </message>
+    <message>
+        <source>draw what the file has of it</source>
+        <translation>绘制文件中属于它的部分</translation>
+    </message>
+    <message>
+        <source>%1=%2: %1 is the name of a file.</source>
+        <translation>%1=%2：%1 是文件名。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 findings are wrong, the first one: %3</source>
+        <translation>%2 项结果中有 %1 项错误，第一项：%3</translation>
+    </message>
+    <message>
+        <source>all %1 findings are right; the control fails as it must: %2</source>
+        <translation>全部 %1 项结果正确；对照如预期失败：%2</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6889,6 +7533,14 @@ OpenGL %2
         <source>As on the command line: %1</source>
         <translation>命令行中：%1</translation>
     </message>
+    <message>
+        <source>no file</source>
+        <translation>无文件</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>选择文件</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ParetoPlot</name>
@@ -7925,6 +8577,89 @@ sides [95 %]</source>
     <message>
         <source>Split</source>
         <translation>分割</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StabilityDialog</name>
+    <message>
+        <source>&amp;Run all</source>
+        <translation>全部运行(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Run the &amp;chosen cases</source>
+        <translation>运行所选案例(&amp;C)</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Stability: the battery of extreme cases</source>
+        <translation>稳定性：极端案例集</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>案例</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Right answer</source>
+        <translation>正确答案</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Cases with their right answers and what was found</source>
+        <translation>案例及其正确答案和结果</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>This case has no scene.</source>
+        <translation>此案例没有场景。</translation>
+    </message>
+    <message>
+        <source>Double click: open %1</source>
+        <translation>双击：打开 %1</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>WRONG</source>
+        <translation>错误</translation>
+    </message>
+    <message>
+        <source>control</source>
+        <translation>对照</translation>
+    </message>
+    <message>
+        <source>refuses</source>
+        <translation>拒绝</translation>
+    </message>
+    <message>
+        <source>Each case is a scene or a computation at the edge of what numbers hold, with its right answer. Run them, and see what every strategy does there; a double click opens the scene.</source>
+        <translation>每个案例都是处于数值极限的场景或计算，并附正确答案。运行后可看到每个策略的表现；双击可打开场景。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases are wrong.</source>
+        <translation>%2 个案例中有 %1 个错误。</translation>
+    </message>
+    <message>
+        <source>All %1 cases are right.</source>
+        <translation>全部 %1 个案例正确。</translation>
     </message>
 </context>
 <context>
@@ -9157,6 +9892,14 @@ sides [95 %]</source>
     <message>
         <source>Cut the pictures by a plane, to look inside: a section</source>
         <translation>用平面剖切图像以观察内部：剖面</translation>
+    </message>
+    <message>
+        <source>Sta&amp;bility…</source>
+        <translation>稳定性(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>Run the battery of extreme cases, and open their scenes</source>
+        <translation>运行极端案例集，并打开其场景</translation>
     </message>
 </context>
 </TS>

@@ -1,22 +1,15 @@
 #pragma once
 
-#include "core/geometry/random.h"
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
+#include "core/experiments/certify/random_scenes.h"
 
 namespace cullscope::test {
 
-/// Four shapes under random rotations, scales, reflections and flattenings, or random boxes; moved by up to 1e7 by their
-/// transforms or their mesh's origin. The same scene for the same seed.
-[[nodiscard]] ScenePointer randomScene(uint64_t seed);
+using certify::randomScene;
+using certify::RandomView;
 
-struct RandomView {
-    Camera camera;
-    Viewport viewport;
-};
-
-/// A view of a scene with near and far from 1e-6 to 1e9, fields of view from 0.01° to 179°, sizes up to 16384 × 1. In most of
-/// them an object touches one of the six planes to within 1e-12 … 1e-3 of its distance, from inside, from outside or across it.
-[[nodiscard]] RandomView randomView(const Scene& scene, Random& random);
+/// A random view of any size (core/experiments/certify/random_scenes.h).
+[[nodiscard]] inline RandomView randomView(const Scene& scene, Random& random) {
+    return certify::randomView(scene, random, certify::Sizes::UpTo16384);
+}
 
 }  // namespace cullscope::test

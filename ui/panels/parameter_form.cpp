@@ -3,8 +3,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
 #include <algorithm>
 
 #include "ui/look/wheel_guard.h"
@@ -113,6 +116,9 @@ QWidget* ParameterForm::field(const ParameterDeclaration& declaration) {
         case ParameterType::Choice:
             editor = list(declaration);
             break;
+        case ParameterType::File:
+            editor = fileName(declaration);
+            break;
     }
     editor->setObjectName(QString::fromStdString(declaration.key));
     editor->setAccessibleName(QString::fromStdString(declaration.key));
@@ -150,6 +156,31 @@ QWidget* ParameterForm::list(const ParameterDeclaration& declaration) {
     connect(box, &QComboBox::currentIndexChanged, this,
             [this, box, key = declaration.key] { take(key, box->currentData().toString().toStdString()); });
     return box;
+}
+
+QWidget* ParameterForm::fileName(const ParameterDeclaration& declaration) {
+    auto* both = new QWidget;
+    auto* row = new QHBoxLayout(both);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* name = new QLineEdit(QString::fromStdString(m_parameters.choice(declaration.key)));
+    name->setPlaceholderText(tr("no file"));
+    name->setAccessibleName(QString::fromStdString(declaration.key));
+    auto* choose = new QToolButton;
+    choose->setText(QStringLiteral("…"));
+    choose->setToolTip(tr("Choose a file"));
+    choose->setAccessibleName(tr("Choose a file"));
+    row->addWidget(name, 1);
+    row->addWidget(choose);
+    m_stops.insert(m_stops.end(), {name, choose});
+    connect(name, &QLineEdit::editingFinished, this,
+            [this, name, key = declaration.key] { take(key, name->text().toStdString()); });
+    connect(choose, &QToolButton::clicked, this, [this, name] {
+        const QString chosen = QFileDialog::getOpenFileName(this, tr("Choose a file"), name->text());
+        if (chosen.isEmpty()) return;
+        name->setText(chosen);
+        emit name->editingFinished();
+    });
+    return both;
 }
 
 void ParameterForm::take(const std::string& key, const ParameterValue& value) {

@@ -37,6 +37,7 @@ private:
     QWidget* checkBox(const ParameterDeclaration& declaration);
     QWidget* number(const ParameterDeclaration& declaration);
     QWidget* list(const ParameterDeclaration& declaration);
+    QWidget* fileName(const ParameterDeclaration& declaration);
     /// What the chosen one of several choices means, in the user's language.
     static QLabel* meaningOfChoice(QComboBox& box);
     void take(const std::string& key, const ParameterValue& value);

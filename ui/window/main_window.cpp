@@ -68,6 +68,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     m_middle->addWidget(m_pathBar);
     connect(m_pathBar, &PathBar::saveRequested, m_paths, &PathCommands::save);
     m_papers = new PaperCommands(m_session, *m_actions, *m_experiments, m_document->undo(), this);
+    connect(m_papers, &PaperCommands::sceneWanted, &m_document->opener(), &SessionOpener::open);
     m_lessons = new LessonCommands(m_session, *m_views, *m_actions, *m_document, m_language, this);
     m_lessonBar = new LessonBar(m_lessons->player(), m_language, m_stack->parentWidget());
     m_middle->insertWidget(0, m_lessonBar);

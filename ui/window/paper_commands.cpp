@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "ui/dialogs/reproduce_dialog.h"
+#include "ui/dialogs/stability_dialog.h"
 
 namespace cullscope::ui {
 
@@ -14,8 +15,20 @@ PaperCommands::PaperCommands(Session& session, WindowActions& actions, Experimen
       m_window(window),
       m_runner(new PaperRunner(session, this)) {
     connect(actions.reproduce, &QAction::triggered, this, &PaperCommands::showDialog);
+    connect(actions.stability, &QAction::triggered, this, &PaperCommands::showStability);
     // The changes that the experiment made to the session are not steps for the user to undo.
     connect(m_runner, &PaperRunner::ended, &undo, &UndoRecorder::startAnew);
+}
+
+void PaperCommands::showStability() {
+    auto* dialog = m_window->findChild<StabilityDialog*>();
+    if (dialog == nullptr) {
+        dialog = new StabilityDialog(m_session, m_window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &StabilityDialog::sceneWanted, this, &PaperCommands::sceneWanted);
+    }
+    dialog->show();
+    dialog->raise();
 }
 
 void PaperCommands::showDialog() {

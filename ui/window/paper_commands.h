@@ -9,7 +9,7 @@
 
 namespace cullscope::ui {
 
-/// The command that reproduces a table of a paper in the window.
+/// The commands that reproduce a table of a paper in the window, and that run the battery of extreme cases.
 class PaperCommands : public QObject {
     Q_OBJECT
 
@@ -18,8 +18,13 @@ public:
 
     [[nodiscard]] PaperRunner& runner() { return *m_runner; }
 
+signals:
+    /// A scene of the gallery is to be shown.
+    void sceneWanted(const QString& scene);
+
 private:
     void showDialog();
+    void showStability();
 
     Session& m_session;
     Experiments& m_experiments;

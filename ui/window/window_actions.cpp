@@ -96,6 +96,7 @@ void WindowActions::makeView() {
     stepBackToBreakpoint = command(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     lecture = command(Qt::Key_F5, QStringLiteral("lecture"));
     reproduce = command({});
+    stability = command({});
     resetLayout = command({});
     systemAppearance = option(appearance, QStringLiteral("system"));
     lightAppearance = option(appearance, QStringLiteral("light"));
@@ -187,7 +188,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce});
+    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, stability});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(lookFrom);
@@ -368,6 +369,7 @@ void WindowActions::retranslateView() {
     say(stepBackToBreakpoint, tr("Back to the last breakpoint"), {});
     say(reproduce, tr("Repro&duce a paper's table…"),
         tr("Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours"));
+    say(stability, tr("Sta&bility…"), tr("Run the battery of extreme cases, and open their scenes"));
     say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));
     say(systemAppearance, tr("As the &system"), tr("Light or dark as the system is set"));
     say(lightAppearance, tr("&Light"), tr("Dark on light"));

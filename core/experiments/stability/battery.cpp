@@ -122,15 +122,20 @@ size_t CaseResult::wrong() const {
 
 Message CaseResult::found() const {
     const std::string count = std::to_string(findings.size());
-    const auto wrongOne = std::ranges::find_if(findings, [](const Finding& finding) { return !finding.right; });
-    if (wrongOne != findings.end())
-        return {CULLSCOPE_TR("%1 of %2 findings are wrong, the first one: %3: %4"),
-                {std::to_string(wrong()), count, wrongOne->subject, wrongOne->found.english()}};
-    const auto controls = size_t(std::ranges::count_if(findings, &Finding::control));
-    const auto control = std::ranges::find_if(findings, &Finding::control);
-    if (controls == 0) return {CULLSCOPE_TR("all %1 findings are right"), {count}};
-    return {CULLSCOPE_TR("all %1 findings are right; the control fails as it must: %2: %3"),
-            {count, control->subject, control->found.english()}};
+    if (const Finding* telling = tellingFinding()) {
+        if (!telling->right)
+            return {CULLSCOPE_TR("%1 of %2 findings are wrong, the first one: %3"),
+                    {std::to_string(wrong()), count, telling->subject}};
+        return {CULLSCOPE_TR("all %1 findings are right; the control fails as it must: %2"), {count, telling->subject}};
+    }
+    return {CULLSCOPE_TR("all %1 findings are right"), {count}};
+}
+
+const Finding* CaseResult::tellingFinding() const {
+    for (const auto& tells :
+         {+[](const Finding& finding) { return !finding.right; }, +[](const Finding& finding) { return finding.control; }})
+        if (const auto found = std::ranges::find_if(findings, tells); found != findings.end()) return &*found;
+    return nullptr;
 }
 
 CaseResult runCase(const Bench& bench, const StabilityCase& which) {
@@ -147,8 +152,10 @@ std::string batteryText(const std::vector<CaseResult>& results, bool everything)
     for (const CaseResult& result : results) {
         right += result.right() ? 1 : 0;
         seconds += result.seconds;
-        text += fmt::format("{:<20} {:<5}  {}: {}\n", result.which->id, result.right() ? "right" : "WRONG",
-                            result.which->expected, result.found().english());
+        const Finding* telling = result.tellingFinding();
+        text +=
+            fmt::format("{:<20} {:<5}  {}: {}{}\n", result.which->id, result.right() ? "right" : "WRONG", result.which->expected,
+                        result.found().english(), telling == nullptr ? "" : ": " + telling->found.english());
         for (const Finding& finding : result.findings)
             if (everything || !finding.right)
                 text += fmt::format("    {:<44} {:<7} {} | {}\n", finding.subject,

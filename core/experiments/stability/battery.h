@@ -65,6 +65,8 @@ struct CaseResult {
 
     [[nodiscard]] size_t wrong() const;
     [[nodiscard]] bool right() const { return wrong() == 0; }
+    /// The first finding that is wrong, else the first control; null where there is neither.
+    [[nodiscard]] const Finding* tellingFinding() const;
     /// What was found, as one sentence.
     [[nodiscard]] Message found() const;
 };

@@ -5,6 +5,7 @@
 
 #include "core/base/message.h"
 #include "core/raster/scan_line.h"
+#include "core/visibility/facing.h"
 #include "core/visibility/software/raster_strategy.h"
 #include "core/visibility/software/software_raster.h"
 

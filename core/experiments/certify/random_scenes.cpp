@@ -1,9 +1,9 @@
-#include "tests/support/random_views.h"
+#include "core/experiments/certify/random_scenes.h"
 
 #include "core/mesh/parametric.h"
-#include "tests/support/test_scenes.h"
+#include "core/scene/gallery/gallery_parts.h"
 
-namespace cullscope::test {
+namespace cullscope::certify {
 namespace {
 
 double logBetween(Random& random, double low, double high) { return std::exp(random.between(std::log(low), std::log(high))); }
@@ -23,11 +23,34 @@ Mat4 randomPlace(Random& random, double spread, const Vec3& offset) {
         stretch[int(random.bits() % 3)] *= logBetween(random, 1e-6, 1e-1);
     else if (kind < 0.5)
         stretch *= Vec3(logBetween(random, 0.1, 10), -logBetween(random, 0.1, 10), 1.0);
-    Mat4 place(randomRotation(random) * Mat3(scaling(stretch)));
+    Mat4 place(randomRotation(random) * Mat3(gallery::scaled(stretch)));
     // Sheared now and then, because any affine transform is supported.
     if (random.unit() < 0.1) place[0] += 0.7 * place[1];
     place[3] = Vec4(random.direction() * (spread * random.unit()) + offset, 1.0);
     return place;
+}
+
+/// The same mesh with its float coordinates relative to another origin.
+MeshPointer withOrigin(const TriangleMesh& mesh, const Vec3& origin) {
+    TriangleMesh::Data data;
+    data.name = mesh.name();
+    data.origin = origin;
+    data.positions.assign(mesh.positions().begin(), mesh.positions().end());
+    data.normals.assign(mesh.normals().begin(), mesh.normals().end());
+    data.indices.assign(mesh.indices().begin(), mesh.indices().end());
+    return std::make_shared<TriangleMesh>(std::move(data));
+}
+
+/// A box with its float coordinates relative to another origin.
+MeshPointer boxAbout(const Vec3& centre, const Vec3& half, const Vec3& origin) {
+    const Vec3 min(Vec3f(centre - half)), max(Vec3f(centre + half));
+    return withOrigin(*gallery::box(min, max), origin);
+}
+
+ScenePointer sceneOf(std::vector<MeshPointer> meshes, const std::vector<Mat4>& places) {
+    std::vector<Instance> instances;
+    for (uint32_t i = 0; i < meshes.size(); ++i) instances.push_back({i, places[i], "box " + std::to_string(i)});
+    return std::make_shared<Scene>("boxes", std::move(meshes), std::move(instances));
 }
 
 const std::vector<MeshPointer>& shapes() {
@@ -61,8 +84,8 @@ ScenePointer boxesScene(Random& random, const Vec3& byTransform, const Vec3& byO
     for (int i = 0; i < 60; ++i) {
         const Vec3 centre = random.direction() * (15.0 * random.unit());
         const Vec3 half(logBetween(random, 1e-5, 2.0), logBetween(random, 1e-5, 2.0), logBetween(random, 1e-5, 2.0));
-        meshes.push_back(boxMesh(Vec3f(centre - half), Vec3f(centre + half), byOrigin));
-        places.push_back(translation(byTransform));
+        meshes.push_back(boxAbout(centre, half, byOrigin));
+        places.push_back(gallery::moved(byTransform));
     }
     return sceneOf(std::move(meshes), places);
 }
@@ -123,8 +146,17 @@ Vec3 chosenVertex(const Scene& scene, size_t instance, const Vec3& normal, Rando
     return world(best);
 }
 
-Viewport randomSize(Random& random) {
+Viewport randomSize(Random& random, Sizes sizes) {
     const double kind = random.unit();
+    if (sizes == Sizes::UpTo1025) {
+        if (kind < 0.05) return {1, 1};
+        if (kind < 0.1) return {1025, 1};
+        if (kind < 0.15) return {1, 1025};
+        // Small pictures are drawn soon, so that there are many of them.
+        const auto side = [&] { return int(std::min(1025.0, logBetween(random, 1.0, 1026.0))); };
+        const int width = side(), height = side();
+        return {width, height};
+    }
     if (kind < 0.1) return {1, 1};
     if (kind < 0.2) return {16384, 1};
     if (kind < 0.25) return {1, 16384};
@@ -150,9 +182,9 @@ ScenePointer randomScene(uint64_t seed) {
     return (boxes ? boxesScene : shapesScene)(random, byTransform ? offset : Vec3(0.0), byTransform ? Vec3(0.0) : offset);
 }
 
-RandomView randomView(const Scene& scene, Random& random) {
+RandomView randomView(const Scene& scene, Random& random, Sizes sizes) {
     RandomView view;
-    view.viewport = randomSize(random);
+    view.viewport = randomSize(random, sizes);
     Camera& camera = view.camera;
     camera.fovy = randomField(random);
     const double one = logBetween(random, 1e-6, 1e9);
@@ -189,4 +221,4 @@ RandomView randomView(const Scene& scene, Random& random) {
     return view;
 }
 
-}  // namespace cullscope::test
+}  // namespace cullscope::certify

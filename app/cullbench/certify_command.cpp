@@ -1,0 +1,91 @@
+#include <charconv>
+
+#include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
+#include "core/base/error.h"
+#include "core/experiments/certify/certify.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+struct CertifyOptions {
+    std::string strategy, shard, state, cases, json;
+    std::vector<std::string> parameters, merge;
+    uint64_t views = 10'000, seed = 1;
+    size_t threads = 0;
+};
+
+/// "I/N", both from 1.
+std::pair<uint64_t, uint64_t> shardFromText(const std::string& text) {
+    uint64_t shard = 0, shards = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, shard);
+    const auto second = first.ptr < end && *first.ptr == '/' ? std::from_chars(first.ptr + 1, end, shards) : first;
+    constexpr uint64_t kMostShards = 100'000;
+    if (second.ec != std::errc() || second.ptr != end || shard < 1 || shard > shards || shards > kMostShards)
+        throwUsage(CULLSCOPE_TR("--shard %1 is not I/N with I from 1 to N, as in 3/16."), {text});
+    return {shard, shards};
+}
+
+void report(const certify::Certificate& certificate, const std::string& json, Context& context) {
+    if (context.stop.stop_requested() && !certificate.complete())
+        context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
+    else if (!certificate.counterexamples.empty())
+        context.exitStatus = 1;
+    if (!json.empty()) writeText(json, certify::certificateJson(certificate));
+    printText(json == "-" ? stderr : stdout, certify::certificateText(certificate));
+}
+
+void merge(const CertifyOptions& options, Context& context) {
+    std::vector<certify::Certificate> certificates;
+    for (const std::string& file : options.merge) certificates.push_back(certify::readCertificate(file));
+    report(certify::merged(certificates), options.json, context);
+}
+
+void run(const CertifyOptions& options, Context& context) {
+    checkOutputPlaces({options.json});
+    if (!options.merge.empty()) {
+        if (!options.strategy.empty()) throwUsage(CULLSCOPE_TR("--merge takes state files alone: leave out the strategy."));
+        return merge(options, context);
+    }
+    if (options.strategy.empty()) throwUsage(CULLSCOPE_TR("Name the strategy to be certified, or state files with --merge."));
+    checkOutputPlaces({options.state});
+    certify::CertifyRequest request;
+    request.strategy = strategiesOf({options.strategy}, options.parameters).front();
+    request.views = options.views;
+    request.seed = options.seed;
+    if (!options.shard.empty()) std::tie(request.shard, request.shards) = shardFromText(options.shard);
+    request.state = options.state;
+    request.cases = options.cases;
+    request.threads = options.threads;
+    {
+        const HeadlessContext gl;
+        requireAvailable(request.strategy, gl.info());
+    }
+    const certify::Certificate certificate = certify::certify(request, terminalProgress(context));
+    clearProgress();
+    report(certificate, options.json, context);
+}
+
+}  // namespace
+
+void addCertifyCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("certify", "Tries random views of random scenes against a strategy's promise");
+    auto options = std::make_shared<CertifyOptions>();
+    command->add_option("STRATEGY", options->strategy, "strategy, as in -s");
+    command->add_option("-p,--parameter", options->parameters, "parameter of the strategy: key=value")->allow_extra_args(false);
+    command->add_option("--views", options->views, "how many views, of all shards together")
+        ->check(CLI::Range(uint64_t{1}, uint64_t{10'000'000'000}))
+        ->capture_default_str();
+    command->add_option("--seed", options->seed, "number that scenes and views start from")->capture_default_str();
+    command->add_option("--shard", options->shard, "I/N: the I-th of N parts of the work, from 1");
+    command->add_option("--state", options->state, "file that keeps what is done; a run that is there is gone on with");
+    command->add_option("--cases", options->cases, "folder for counterexamples, shrunk and written as scenes");
+    command->add_option("--threads", options->threads, "threads, each with an OpenGL of its own (default: one a processor)")
+        ->check(CLI::Range(size_t{1}, size_t{1024}));
+    command->add_option("--merge", options->merge, "state files of shards, to be put together");
+    command->add_option("--json", options->json, "result file; - is standard output");
+    command->callback([options, &context] { run(*options, context); });
+}
+
+}  // namespace cullscope::cullbench

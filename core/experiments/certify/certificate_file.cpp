@@ -1,0 +1,163 @@
+// The JSON form of a certificate, and several as one.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+#include "core/experiments/certify/certify.h"
+#include "core/experiments/result_file.h"
+
+namespace cullscope::certify {
+namespace {
+
+using CertificateFields = nlohmann::ordered_json;
+
+/// Blocks as ranges "0-41", so that a million views take a line.
+CertificateFields rangesOfBlocks(const std::vector<bool>& done) {
+    CertificateFields ranges = CertificateFields::array();
+    for (size_t i = 0; i < done.size();) {
+        if (!done[i]) {
+            ++i;
+            continue;
+        }
+        size_t end = i;
+        while (end < done.size() && done[end]) ++end;
+        ranges.push_back({i, end - 1});
+        i = end;
+    }
+    return ranges;
+}
+
+}  // namespace
+
+std::string certificateJson(const Certificate& certificate) {
+    CertificateFields examples = CertificateFields::array();
+    for (const Counterexample& one : certificate.counterexamples)
+        examples.push_back({{"block", one.block},
+                            {"view", one.view},
+                            {"lost_pixels", one.lostPixels},
+                            {"triangles", one.triangles},
+                            {"objects", one.objects},
+                            {"size", {one.size.width, one.size.height}},
+                            {"file", one.file},
+                            {"file_shows_it", one.fileShowsIt}});
+    const CertificateFields root{
+        {"certificate", 1},
+        {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
+        {"strategy", certificate.strategy},
+        {"seed", certificate.seed},
+        {"blocks", certificate.blocks},
+        {"views_of_a_block", kViewsOfABlock},
+        {"shard", certificate.shard},
+        {"shards", certificate.shards},
+        {"complete", certificate.complete()},
+        {"views", certificate.views},
+        {"promised_views", certificate.promised},
+        {"refused_views", certificate.refused},
+        {"covered_pixels", certificate.coveredPixels},
+        {"lost_views", certificate.counterexamples.size()},
+        {"counterexamples", std::move(examples)},
+        {"blocks_done", rangesOfBlocks(certificate.done)}};
+    return root.dump(1) + "\n";
+}
+
+void writeCertificate(const std::filesystem::path& file, const Certificate& certificate) {
+    writeFileAtomically(file, [&](std::ostream& out) { out << certificateJson(certificate); });
+}
+
+Certificate readCertificate(const std::filesystem::path& file) {
+    constexpr uint64_t kMostBlocks = 1'000'000'000;
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
+    try {
+        const CertificateFields root = CertificateFields::parse(in);
+        Certificate certificate;
+        if (root.at("certificate") != 1 || root.at("views_of_a_block") != kViewsOfABlock)
+            throwInput(CULLSCOPE_TR("%1 was written by another version: its blocks are not those of this one."), {file.string()});
+        certificate.strategy = root.at("strategy").get<std::string>();
+        certificate.seed = root.at("seed").get<uint64_t>();
+        certificate.blocks = root.at("blocks").get<uint64_t>();
+        certificate.shard = root.at("shard").get<uint64_t>();
+        certificate.shards = root.at("shards").get<uint64_t>();
+        certificate.views = root.at("views").get<uint64_t>();
+        certificate.promised = root.at("promised_views").get<uint64_t>();
+        certificate.refused = root.at("refused_views").get<uint64_t>();
+        certificate.coveredPixels = root.at("covered_pixels").get<uint64_t>();
+        if (certificate.blocks < 1 || certificate.blocks > kMostBlocks || certificate.shard < 1 ||
+            certificate.shard > certificate.shards)
+            throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+        certificate.done.assign(certificate.blocks, false);
+        for (const CertificateFields& range : root.at("blocks_done")) {
+            const auto last = range.at(1).get<uint64_t>();
+            for (auto block = range.at(0).get<uint64_t>(); block <= last && block < certificate.blocks; ++block)
+                certificate.done[block] = true;
+        }
+        for (const CertificateFields& one : root.at("counterexamples"))
+            certificate.counterexamples.push_back({one.at("block").get<uint64_t>(), one.at("view").get<uint64_t>(),
+                                                   one.at("lost_pixels").get<uint64_t>(), one.at("triangles").get<uint64_t>(),
+                                                   one.at("objects").get<uint64_t>(),
+                                                   Viewport{one.at("size").at(0).get<int>(), one.at("size").at(1).get<int>()},
+                                                   one.at("file").get<std::string>(), one.at("file_shows_it").get<bool>()});
+        return certificate;
+    } catch (const CertificateFields::exception&) {
+        throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+    }
+}
+
+Certificate merged(const std::vector<Certificate>& certificates) {
+    if (certificates.empty()) throwUsage(CULLSCOPE_TR("There is nothing to merge: name state files."));
+    Certificate all = certificates.front();
+    all.shard = all.shards = 1;
+    for (size_t i = 1; i < certificates.size(); ++i) {
+        const Certificate& one = certificates[i];
+        if (one.strategy != all.strategy || one.seed != all.seed || one.blocks != all.blocks)
+            throwUsage(
+                CULLSCOPE_TR("The state files are of different runs: %1 with seed %2 and %3 blocks, and %4 with seed %5 and "
+                             "%6 blocks."),
+                {all.strategy, std::to_string(all.seed), std::to_string(all.blocks), one.strategy, std::to_string(one.seed),
+                 std::to_string(one.blocks)});
+        for (uint64_t block = 0; block < all.blocks; ++block) {
+            if (!one.done[block]) continue;
+            if (all.done[block])
+                throwUsage(CULLSCOPE_TR("Two of the state files tried block %1: each shard is to be merged once."),
+                           {std::to_string(block)});
+            all.done[block] = true;
+        }
+        all.views += one.views;
+        all.promised += one.promised;
+        all.refused += one.refused;
+        all.coveredPixels += one.coveredPixels;
+        all.counterexamples.insert(all.counterexamples.end(), one.counterexamples.begin(), one.counterexamples.end());
+    }
+    std::ranges::sort(all.counterexamples, {}, [](const Counterexample& one) { return std::pair(one.block, one.view); });
+    return all;
+}
+
+std::string certificateText(const Certificate& certificate) {
+    const size_t lost = certificate.counterexamples.size();
+    std::string text = fmt::format("{}: {} of {} blocks of {} views, {} views tried", certificate.strategy,
+                                   certificate.blocksDone(), certificate.blocksToDo(), kViewsOfABlock, certificate.views);
+    if (certificate.shards > 1) text += fmt::format(", shard {} of {}", certificate.shard, certificate.shards);
+    text += fmt::format("\n{} views within its promise, {} covered pixels: {} lost a pixel", certificate.promised,
+                        certificate.coveredPixels, lost);
+    if (lost == 0 && certificate.promised > 0)
+        text += fmt::format(" (rate below 3/{} = {:.1e}, with 95 % confidence)", certificate.promised,
+                            3.0 / double(certificate.promised));
+    text += "\n";
+    if (certificate.refused > 0) text += fmt::format("{} views of scenes that it does not serve\n", certificate.refused);
+    if (certificate.promised == 0) text += "It promises nothing at these views: there is nothing to certify.\n";
+    for (const Counterexample& one : certificate.counterexamples) {
+        text += fmt::format("block {} view {}: {} pixels lost; shrunk to {} triangles in {} objects, {}x{}", one.block, one.view,
+                            one.lostPixels, one.triangles, one.objects, one.size.width, one.size.height);
+        if (!one.file.empty())
+            text += fmt::format("; {}.obj and .json{}", one.file,
+                                one.fileShowsIt ? "" : ", which the rounding of the file's numbers mends: see the block");
+        text += "\n";
+    }
+    return text;
+}
+
+}  // namespace cullscope::certify

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/experiments/certify/random_scenes.h"
+#include "core/gpu/renderer.h"
+#include "core/visibility/strategy_request.h"
+
+namespace cullscope::certify {
+
+/// Views are tried in blocks: a random scene and so many random views of it. A block's number is the seed of both.
+inline constexpr uint64_t kViewsOfABlock = 50;
+
+/// A scene and a view in which a strategy lost what it promises to keep.
+struct Counterexample {
+    uint64_t block = 0, view = 0;  ///< which gave it
+    uint64_t lostPixels = 0;       ///< of the view as it was tried
+    uint64_t triangles = 0;        ///< of the scene that it was shrunk to
+    uint64_t objects = 0;
+    Viewport size;             ///< of the view that it was shrunk to
+    std::string file;          ///< of the case that was written, without an ending; empty: none was
+    bool fileShowsIt = false;  ///< whether the loss is seen in the scene as it is read back from the file
+};
+
+/// What was tried so far: of one shard, or merged.
+struct Certificate {
+    std::string strategy;  ///< strategyText
+    uint64_t seed = 0;
+    uint64_t blocks = 0;             ///< of all shards together
+    uint64_t shard = 1, shards = 1;  ///< from 1; merged: 1 of 1
+    std::vector<bool> done;          ///< by block
+    uint64_t views = 0;              ///< tried
+    uint64_t promised = 0;           ///< of these, where it promises to lose nothing
+    uint64_t refused = 0;            ///< views of scenes that it does not serve
+    uint64_t coveredPixels = 0;      ///< of the views where it promises so
+    std::vector<Counterexample> counterexamples;
+
+    [[nodiscard]] bool ofShard(uint64_t block) const { return block % shards == shard - 1; }
+    [[nodiscard]] uint64_t blocksDone() const;
+    [[nodiscard]] uint64_t blocksToDo() const;
+    [[nodiscard]] bool complete() const { return blocksDone() == blocksToDo(); }
+};
+
+struct CertifyRequest {
+    StrategyRequest strategy;
+    uint64_t views = 10'000;
+    uint64_t seed = 1;
+    uint64_t shard = 1, shards = 1;
+    std::filesystem::path state;      ///< read where it is there, and written after every few seconds; empty: none
+    std::filesystem::path cases;      ///< folder for counterexamples; empty: none are written
+    size_t threads = 0;               ///< 0: one for each processor
+    size_t mostCounterexamples = 10;  ///< after which it ends
+};
+
+/// Tries random views on all processors, each thread with an OpenGL context of its own, until all blocks are done, a stop is
+/// requested, or there are enough counterexamples. Throws Error(Usage) where the state is of another request.
+[[nodiscard]] Certificate certify(const CertifyRequest& request, const Progress& progress = {});
+
+/// One block, on the calling thread with its current context. Nothing is written.
+struct BlockResult {
+    uint64_t views = 0, promised = 0, refused = 0, coveredPixels = 0;
+    std::vector<Counterexample> counterexamples;
+};
+[[nodiscard]] BlockResult certifyBlock(const CertifyRequest& request, uint64_t block, Renderer& renderer,
+                                       const Progress& progress = {});
+
+[[nodiscard]] Certificate readCertificate(const std::filesystem::path& file);
+void writeCertificate(const std::filesystem::path& file, const Certificate& certificate);
+[[nodiscard]] std::string certificateJson(const Certificate& certificate);
+/// The certificates of several shards, or of one, as one. Throws Error(Usage) where they are of other strategies, seeds or
+/// numbers of views, or two of them tried the same block.
+[[nodiscard]] Certificate merged(const std::vector<Certificate>& certificates);
+/// What they say, in a few lines.
+[[nodiscard]] std::string certificateText(const Certificate& certificate);
+
+}  // namespace cullscope::certify

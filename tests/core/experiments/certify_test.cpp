@@ -1,0 +1,212 @@
+// Random views against a promise: what breaks it is found, shrunk and written; work is divided, kept and put together.
+#include "core/experiments/certify/certify.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "core/experiments/certify/shrink.h"
+#include "core/scene/drawn_sets.h"
+#include "core/scene/scene_source.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/long_mode.h"
+#include "tests/support/refusal.h"
+
+namespace cullscope::test::certify_test {
+namespace {
+
+using certify::Certificate;
+using certify::CertifyRequest;
+
+/// Says that it loses nothing, and leaves out every object whose centre is outside the view.
+class Liar final : public StrategyWith<Structure> {
+protected:
+    void fill(Structure& /*structure*/, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {}
+    void decide(FrameContext& frame, const Structure& structure, ViewState& /*state*/,
+                const ParameterSet& /*parameters*/) const override {
+        DrawList list{frame.facing(), {}};
+        for (const DrawRange& range : everything(structure.scene(), frame.facing()).ranges) {
+            const Vec3 centre = structure.scene().instanceBox(range.instance).centre() - frame.view().eye();
+            bool inside = true;
+            for (const Plane& plane : frame.view().frustum().planes) inside = inside && plane.distance(centre) > 0;
+            if (inside) list.ranges.push_back(range);
+        }
+        frame.draw(std::move(list));
+    }
+    [[nodiscard]] Promise promiseOf(const Structure& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+};
+
+StrategyRequest liar() {
+    RegisteredStrategy strategy{findStrategy("frustum").info, std::make_shared<Liar>()};
+    strategy.info.id = "liar";
+    return {"liar", ParameterSet(strategy.info.parameters), std::make_shared<RegisteredStrategy>(std::move(strategy))};
+}
+
+class Certify : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = std::filesystem::temp_directory_path() / ("cullscope-certify-" + std::to_string(getpid()));
+        std::filesystem::create_directories(m_folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const { return m_folder / name; }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+TEST_F(Certify, losslessStrategiesLoseNothing) {
+    for (const char* text : {"frustum", "frustum-octree", "spherical-lossless", "octree-query", "oracle"}) {
+        CertifyRequest request{strategyFromText(text)};
+        request.seed = 5;
+        uint64_t promised = 0, covered = 0;
+        for (uint64_t block = 0; block < howMany(200, 8); ++block) {
+            const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer());
+            EXPECT_TRUE(result.counterexamples.empty()) << text << " block " << block;
+            promised += result.promised;
+            covered += result.coveredPixels;
+        }
+        EXPECT_GE(promised, 100u) << text;
+        EXPECT_GE(covered, 100u * promised) << text;
+    }
+}
+
+TEST_F(Certify, brokenPromiseIsFoundShrunkAndWritten) {
+    CertifyRequest request{liar()};
+    request.cases = file("cases");
+    size_t found = 0, shown = 0;
+    for (uint64_t block = 0; block < 4 && found < 2; ++block) {
+        const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer());
+        for (const certify::Counterexample& one : result.counterexamples) {
+            ++found;
+            EXPECT_GT(one.lostPixels, 0u);
+            EXPECT_EQ(one.block, block);
+            EXPECT_LE(one.triangles, 4u) << "one triangle is enough to be lost";
+            EXPECT_EQ(one.objects, 1u);
+            EXPECT_LE(one.size.width * one.size.height, 64);
+            ASSERT_TRUE(std::filesystem::exists(one.file + ".obj"));
+            shown += one.fileShowsIt ? 1 : 0;
+            const ScenePointer scene = openScene(one.file + ".obj").scene;
+            const DrawnSets sets = readDrawnSets(one.file + ".json", *scene);
+            ASSERT_EQ(sets.path.poses.size(), 1u);
+            const certify::Tried tried =
+                certify::tryView(liar(), scene, {sets.path.camera(0), one.size}, GlEnvironment::renderer());
+            EXPECT_EQ(tried.lost > 0, one.fileShowsIt);
+            EXPECT_EQ(rangesOf(tried.drawn), sets.poses[0]);
+        }
+    }
+    EXPECT_GE(found, 2u);
+    EXPECT_GE(shown, 1u);
+}
+
+TEST_F(Certify, shardsTogetherAreTheWhole) {
+    CertifyRequest request{strategyFromText("frustum")};
+    request.views = 4 * certify::kViewsOfABlock;
+    request.threads = 2;
+    const Certificate whole = certify::certify(request);
+    EXPECT_TRUE(whole.complete());
+    EXPECT_EQ(whole.views, request.views);
+    std::vector<Certificate> parts;
+    request.shards = 3;
+    for (request.shard = 1; request.shard <= 3; ++request.shard) {
+        request.state = file("shard-" + std::to_string(request.shard) + ".json");
+        (void)certify::certify(request);
+        parts.push_back(certify::readCertificate(request.state));
+        EXPECT_TRUE(parts.back().complete());
+    }
+    const Certificate all = certify::merged(parts);
+    EXPECT_TRUE(all.complete());
+    EXPECT_EQ(all.views, whole.views);
+    EXPECT_EQ(all.promised, whole.promised);
+    EXPECT_EQ(all.coveredPixels, whole.coveredPixels);
+    EXPECT_THAT(refusalOf(
+                    [&] {
+                        (void)certify::merged({parts[0], parts[1], parts[0]});
+                    },
+                    ErrorKind::Usage),
+                testing::HasSubstr("tried block 0"));
+    EXPECT_FALSE(certify::merged({parts[0], parts[1]}).complete());
+    parts[1].seed = 9;
+    EXPECT_THAT(refusalOf([&] { (void)certify::merged(parts); }, ErrorKind::Usage), testing::HasSubstr("different runs"));
+    EXPECT_FALSE(refusalOf([] { (void)certify::merged({}); }, ErrorKind::Usage).empty());
+}
+
+TEST_F(Certify, stoppedRunGoesOnWhereItWas) {
+    CertifyRequest request{strategyFromText("frustum")};
+    request.views = 6 * certify::kViewsOfABlock;
+    request.threads = 1;
+    request.state = file("state.json");
+    std::stop_source stop;
+    size_t blocks = 0;
+    const Certificate first = certify::certify(request, {[&](double, std::string_view) {
+                                                             if (++blocks == 2) stop.request_stop();
+                                                         },
+                                                         stop.get_token()});
+    EXPECT_EQ(first.blocksDone(), 2u);
+    EXPECT_FALSE(first.complete());
+    const Certificate kept = certify::readCertificate(request.state);
+    EXPECT_EQ(kept.done, first.done);
+    EXPECT_EQ(kept.coveredPixels, first.coveredPixels);
+    size_t further = 0;
+    const Certificate second = certify::certify(request, {[&](double, std::string_view) { ++further; }, {}});
+    EXPECT_EQ(further, 4u) << "what was done is not done again";
+    EXPECT_TRUE(second.complete());
+    request.state.clear();
+    EXPECT_EQ(certify::certify(request).coveredPixels, second.coveredPixels);
+    request.state = file("state.json");
+    request.seed = 2;
+    EXPECT_THAT(refusalOf([&] { (void)certify::certify(request); }, ErrorKind::Usage), testing::HasSubstr("another run"));
+}
+
+TEST_F(Certify, stateThatIsNoneIsRefused) {
+    for (const char* text :
+         {"", "[]", "{}", "{\"certificate\": 2}", "{\"certificate\": 1, \"views_of_a_block\": 50, \"strategy\": 3}"}) {
+        std::ofstream(file("bad.json")) << text;
+        EXPECT_THAT(refusalOf([&] { (void)certify::readCertificate(file("bad.json")); }, ErrorKind::Input),
+                    testing::HasSubstr("bad.json"))
+            << text;
+    }
+}
+
+TEST(RandomScenes, viewsHaveTheSizesAndFieldsThatAreSaid) {
+    Random random(3);
+    std::set<int> sizes;
+    double narrowest = 180, widest = 0, farthest = 0;
+    size_t mirrored = 0, flat = 0;
+    for (uint64_t seed = 0; seed < 40; ++seed) {
+        const ScenePointer scene = certify::randomScene(seed);
+        farthest = std::max(farthest, glm::length(scene->bounds().centre()));
+        for (const Instance& instance : scene->instances()) {
+            const Mat3 linear(instance.worldFromMesh);
+            mirrored += glm::determinant(linear) < 0 ? 1 : 0;
+            const double longest = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+            flat += std::abs(glm::determinant(linear)) < 1e-2 * std::pow(longest, 3) ? 1 : 0;
+        }
+        for (int i = 0; i < 50; ++i) {
+            const certify::RandomView view = certify::randomView(*scene, random, certify::Sizes::UpTo1025);
+            for (const int side : {view.viewport.width, view.viewport.height}) {
+                ASSERT_GE(side, 1);
+                ASSERT_LE(side, 1025);
+                sizes.insert(side);
+            }
+            narrowest = std::min(narrowest, view.camera.fovy.degrees());
+            widest = std::max(widest, view.camera.fovy.degrees());
+        }
+    }
+    EXPECT_TRUE(sizes.contains(1) && sizes.contains(1025));
+    EXPECT_GT(sizes.size(), 200u);
+    EXPECT_NEAR(narrowest, 0.01, 1e-9);
+    EXPECT_NEAR(widest, 179, 1e-9);
+    EXPECT_GT(farthest, 1e7);
+    EXPECT_GT(mirrored, 20u);
+    EXPECT_GT(flat, 20u);
+}
+
+}  // namespace
+}  // namespace cullscope::test::certify_test

@@ -1,0 +1,203 @@
+#include "ui/dialogs/stability_dialog.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPointer>
+#include <QScreen>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/gpu/context.h"
+#include "ui/text/translated.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr QSize kSize{1100, 620};
+constexpr int kCaseWidth = 330, kAnswerWidth = 330, kVerdictWidth = 90;
+enum Column { Case, Verdict, Answer, Found, Columns };
+
+QString sentence(const Message& message) {
+    // A number alone is the same in every language.
+    return message.text == "%1" && !message.arguments.empty() ? QString::fromStdString(message.arguments.front())
+                                                              : translated(message);
+}
+
+}  // namespace
+
+StabilityDialog::StabilityDialog(Session& session, QWidget* parent)
+    : QDialog(parent),
+      m_session(session),
+      m_conclusion(new QLabel(this)),
+      m_cases(new QTreeWidget(this)),
+      m_progress(new QProgressBar(this)),
+      m_run(new QPushButton(tr("&Run all"), this)),
+      m_runChosen(new QPushButton(tr("Run the &chosen cases"), this)),
+      m_cancel(new QPushButton(tr("C&ancel"), this)),
+      m_close(new QPushButton(tr("C&lose"), this)) {
+    setWindowTitle(tr("Stability: the battery of extreme cases"));
+    m_conclusion->setWordWrap(true);
+    m_cases->setColumnCount(Columns);
+    m_cases->setHeaderLabels({tr("Case"), tr("Verdict"), tr("Right answer"), tr("Found")});
+    m_cases->setAccessibleName(tr("Cases with their right answers and what was found"));
+    m_cases->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_cases->setAlternatingRowColors(true);
+    m_cases->setColumnWidth(Case, kCaseWidth);
+    m_cases->setColumnWidth(Verdict, kVerdictWidth);
+    m_cases->setColumnWidth(Answer, kAnswerWidth);
+    m_cases->header()->setStretchLastSection(true);
+    m_progress->setAccessibleName(tr("Progress"));
+    auto* bottom = new QHBoxLayout;
+    bottom->addWidget(m_progress, 1);
+    for (QPushButton* button : {m_run, m_runChosen, m_cancel, m_close}) bottom->addWidget(button);
+    for (QPushButton* button : {m_runChosen, m_cancel, m_close}) button->setAutoDefault(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_conclusion);
+    layout->addWidget(m_cases, 1);
+    layout->addLayout(bottom);
+    connect(m_run, &QPushButton::clicked, this, [this] { start(stability::casesNamed("")); });
+    connect(m_runChosen, &QPushButton::clicked, this, [this] { start(chosen()); });
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        m_stop.request_stop();
+        m_cancel->setEnabled(false);
+    });
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    connect(m_cases, &QTreeWidget::itemSelectionChanged, this, &StabilityDialog::showState);
+    connect(m_cases, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) { open(*item); });
+    fill();
+    showState();
+    resize(kSize.boundedTo(screen()->availableGeometry().size()));
+}
+
+StabilityDialog::~StabilityDialog() { m_stop.request_stop(); }
+
+void StabilityDialog::reject() {
+    m_stop.request_stop();
+    QDialog::reject();
+}
+
+void StabilityDialog::fill() {
+    for (const stability::StabilityCase& which : stability::battery()) {
+        auto* item = new QTreeWidgetItem(m_cases);
+        item->setText(Case, QStringLiteral("%1  %2").arg(which.number).arg(translated(which.title)));
+        item->setText(Answer, translated(which.expected));
+        item->setData(Case, Qt::UserRole, QString::fromStdString(which.id));
+        const QString scene = which.scene.empty() ? tr("This case has no scene.")
+                                                  : tr("Double click: open %1").arg(QString::fromStdString(which.scene));
+        item->setToolTip(Case, item->text(Case) + QLatin1Char('\n') + scene);
+        item->setToolTip(Answer, item->text(Answer));
+    }
+}
+
+QTreeWidgetItem* StabilityDialog::itemOf(const stability::StabilityCase& which) const {
+    return m_cases->topLevelItem(int(&which - stability::battery().data()));
+}
+
+std::vector<const stability::StabilityCase*> StabilityDialog::chosen() const {
+    std::vector<const stability::StabilityCase*> cases;
+    for (const stability::StabilityCase& which : stability::battery()) {
+        const QTreeWidgetItem& item = *itemOf(which);
+        bool selected = item.isSelected();
+        for (int child = 0; child < item.childCount(); ++child) selected = selected || item.child(child)->isSelected();
+        if (selected) cases.push_back(&which);
+    }
+    return cases;
+}
+
+void StabilityDialog::open(const QTreeWidgetItem& item) {
+    const QTreeWidgetItem& top = item.parent() != nullptr ? *item.parent() : item;
+    const stability::StabilityCase& which = *stability::casesNamed(top.data(Case, Qt::UserRole).toString().toStdString()).front();
+    if (!which.scene.empty()) emit sceneWanted(QString::fromStdString(which.scene));
+}
+
+void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& cases) {
+    if (m_running || cases.empty()) return;
+    m_running = true;
+    m_results.clear();
+    m_asked = cases.size();
+    for (const stability::StabilityCase* which : cases) {
+        QTreeWidgetItem& item = *itemOf(*which);
+        qDeleteAll(item.takeChildren());
+        item.setText(Verdict, QStringLiteral("…"));
+        item.setText(Found, {});
+    }
+    m_stop = std::stop_source();
+    showState();
+    const QPointer<StabilityDialog> dialog(this);
+    m_work.start(
+        [dialog, cases, stop = m_stop.get_token()](const std::stop_token&) -> Background::Delivery {
+            // An OpenGL context belongs to the thread that made it.
+            const HeadlessContext gl;
+            Renderer renderer;
+            for (const stability::StabilityCase* which : cases) {
+                stability::CaseResult result = stability::runCase({renderer, gl.info(), {nullptr, stop}}, *which);
+                QMetaObject::invokeMethod(dialog, [dialog, result = std::move(result)] {
+                    if (dialog) dialog->showResult(result);
+                });
+            }
+            return [dialog] {
+                if (dialog) dialog->end({});
+            };
+        },
+        [dialog](const std::exception& failure) -> Background::Delivery {
+            const auto* error = dynamic_cast<const Error*>(&failure);
+            const bool stopped = error != nullptr && error->kind() == ErrorKind::Interrupted;
+            const Message message =
+                stopped ? Message{} : sentenceOf(failure, QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"));
+            return [dialog, message] {
+                if (dialog) dialog->end(message);
+            };
+        });
+}
+
+void StabilityDialog::showResult(const stability::CaseResult& result) {
+    if (!m_running) return;
+    QTreeWidgetItem& item = *itemOf(*result.which);
+    item.setText(Verdict, result.right() ? tr("right") : tr("WRONG"));
+    item.setText(Found, translated(result.found()));
+    item.setToolTip(Found, item.text(Found));
+    for (const stability::Finding& finding : result.findings) {
+        auto* row = new QTreeWidgetItem(&item);
+        row->setText(Case, QString::fromStdString(finding.subject));
+        row->setText(Verdict, !finding.right    ? tr("WRONG")
+                              : finding.control ? tr("control")
+                              : finding.refused ? tr("refuses")
+                                                : tr("right"));
+        row->setText(Answer, sentence(finding.expected));
+        row->setText(Found, sentence(finding.found));
+        row->setToolTip(Found, row->text(Found));
+    }
+    if (!result.right()) item.setExpanded(true);
+    m_results.push_back(result);
+    showState();
+}
+
+void StabilityDialog::end(const Message& failure) {
+    m_running = false;
+    for (int row = 0; row < m_cases->topLevelItemCount(); ++row)
+        if (m_cases->topLevelItem(row)->text(Verdict) == QStringLiteral("…")) m_cases->topLevelItem(row)->setText(Verdict, {});
+    showState();
+    if (!failure.empty()) m_session.raise(Severity::Error, failure);
+    emit ended();
+}
+
+void StabilityDialog::showState() {
+    m_run->setEnabled(!m_running);
+    m_runChosen->setEnabled(!m_running && !m_cases->selectedItems().isEmpty());
+    m_cancel->setEnabled(m_running);
+    m_progress->setRange(0, std::max(1, int(m_asked)));
+    m_progress->setValue(int(m_results.size()));
+    const auto wrong = std::ranges::count_if(m_results, [](const stability::CaseResult& result) { return !result.right(); });
+    if (m_results.empty())
+        m_conclusion->setText(
+            tr("Each case is a scene or a computation at the edge of what numbers hold, with its right answer. "
+               "Run them, and see what every strategy does there; a double click opens the scene."));
+    else if (wrong > 0)
+        m_conclusion->setText(tr("%1 of %2 cases are wrong.").arg(wrong).arg(m_results.size()));
+    else
+        m_conclusion->setText(tr("All %1 cases are right.").arg(m_results.size()));
+}
+
+}  // namespace cullscope::ui
