@@ -169,7 +169,13 @@ bool writeExample(const std::filesystem::path& file, const StrategyRequest& stra
         tried.promised = false;
     }
     const Camera& camera = example.view.camera;
-    const CameraPath path{"", camera.fovy, camera.nearDistance, camera.farDistance, {{camera.eye, camera.target, camera.up}}};
+    const CameraPath path{"",
+                          camera.fovy,
+                          camera.nearDistance,
+                          camera.farDistance,
+                          camera.projection,
+                          camera.height,
+                          {{camera.eye, camera.target, camera.up}}};
     std::set<uint32_t> objects;
     const Scene& shown = read ? *read : *example.scene;
     for (const uint32_t triangle : tried.drawn) objects.insert(uint32_t(shown.instanceOf(triangle)));
