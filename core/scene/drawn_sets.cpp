@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -27,7 +28,7 @@ std::optional<TriangleRange> rangeFromText(std::string_view text) {
     const size_t dash = text.find('-');
     if (dash == std::string_view::npos) return std::nullopt;
     const std::optional<uint64_t> first = wholeNumber(text.substr(0, dash)), last = wholeNumber(text.substr(dash + 1));
-    if (!first || !last || *last < *first) return std::nullopt;
+    if (!first || !last || *last < *first || *last == std::numeric_limits<uint64_t>::max()) return std::nullopt;
     return TriangleRange{*first, *last + 1};
 }
 
@@ -93,14 +94,17 @@ private:
     }
 
     [[noreturn]] void refuse(const SetsJson& entry) const {
+        constexpr size_t kMostShown = 60;
+        std::string shown = entry.dump();
+        if (shown.size() > kMostShown) shown = std::to_string(shown.size()) + " bytes";
         throwInput(
             CULLSCOPE_TR("%1: pose %2: %3 names nothing in this scene of %4 triangles in %5 objects. Numbers count from 0."),
-            {m_file, m_pose, entry.dump(), std::to_string(m_scene.triangleCount()), std::to_string(m_scene.instances().size())});
+            {m_file, m_pose, shown, std::to_string(m_scene.triangleCount()), std::to_string(m_scene.instances().size())});
     }
 
     TriangleRange numbers(const SetsJson& entry, uint64_t count) const {
         std::optional<TriangleRange> range;
-        if (entry.is_number_unsigned() || (entry.is_number_integer() && entry.get<int64_t>() >= 0))
+        if (entry.is_number_unsigned() && entry.get<uint64_t>() < count)
             range = TriangleRange{entry.get<uint64_t>(), entry.get<uint64_t>() + 1};
         else if (entry.is_string())
             range = rangeFromText(entry.get_ref<const std::string&>());
@@ -109,17 +113,17 @@ private:
     }
 
     void addObjects(const SetsJson& entry, DrawnSets::Triangles& drawn) const {
-        const auto add = [&](uint64_t object) {
-            const uint64_t first = m_scene.firstTriangle(object);
-            drawn.emplace_back(first, first + m_scene.meshOf(object).triangleCount());
+        // The triangles of objects that follow each other do so, too.
+        const auto add = [&](uint64_t first, uint64_t last) {
+            drawn.emplace_back(m_scene.firstTriangle(first), m_scene.firstTriangle(last) + m_scene.meshOf(last).triangleCount());
         };
         if (entry.is_string())
             if (const auto named = m_objects.find(entry.get_ref<const std::string&>()); named != m_objects.end()) {
-                for (const uint32_t object : named->second) add(object);
+                for (const uint32_t object : named->second) add(object, object);
                 return;
             }
         const TriangleRange range = numbers(entry, m_scene.instances().size());
-        for (uint64_t object = range.first; object < range.second; ++object) add(object);
+        add(range.first, range.second - 1);
     }
 
     void addCamera(const SetsJson& pose, CameraPath& path) const {

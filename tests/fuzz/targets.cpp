@@ -5,6 +5,7 @@ namespace cullscope::fuzz {
 const std::vector<Target>& targets() {
     static const std::vector<Target> kTargets{{"bsp_tree", bsp_tree},
                                               {"camera_path", camera_path},
+                                              {"drawn_sets", drawn_sets},
                                               {"generator", generator},
                                               {"hidden_objects", hidden_objects},
                                               {"inner_kernel", inner_kernel},

@@ -17,6 +17,7 @@ struct Target {
 
 // Files.
 void camera_path(std::string_view input);
+void drawn_sets(std::string_view input);
 void lesson(std::string_view input);
 void obj(std::string_view input);
 void off(std::string_view input);

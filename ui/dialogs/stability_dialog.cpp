@@ -6,6 +6,7 @@
 #include <QScreen>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 #include "core/gpu/context.h"
@@ -15,11 +16,11 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr QSize kSize{1100, 620};
-constexpr int kCaseWidth = 330, kAnswerWidth = 330, kVerdictWidth = 90;
-enum Column { Case, Verdict, Answer, Found, Columns };
+constexpr QSize kStabilitySize{1100, 620};
+constexpr int kCaseColumn = 0, kVerdictColumn = 1, kRightColumn = 2, kFoundColumn = 3, kCaseColumns = 4;
+constexpr std::array<int, 3> kCaseColumnWidths{330, 90, 330};  // the last column takes the rest
 
-QString sentence(const Message& message) {
+QString findingWords(const Message& message) {
     // A number alone is the same in every language.
     return message.text == "%1" && !message.arguments.empty() ? QString::fromStdString(message.arguments.front())
                                                               : translated(message);
@@ -39,14 +40,13 @@ StabilityDialog::StabilityDialog(Session& session, QWidget* parent)
       m_close(new QPushButton(tr("C&lose"), this)) {
     setWindowTitle(tr("Stability: the battery of extreme cases"));
     m_conclusion->setWordWrap(true);
-    m_cases->setColumnCount(Columns);
+    m_cases->setColumnCount(kCaseColumns);
     m_cases->setHeaderLabels({tr("Case"), tr("Verdict"), tr("Right answer"), tr("Found")});
     m_cases->setAccessibleName(tr("Cases with their right answers and what was found"));
     m_cases->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_cases->setAlternatingRowColors(true);
-    m_cases->setColumnWidth(Case, kCaseWidth);
-    m_cases->setColumnWidth(Verdict, kVerdictWidth);
-    m_cases->setColumnWidth(Answer, kAnswerWidth);
+    for (size_t column = 0; column < kCaseColumnWidths.size(); ++column)
+        m_cases->setColumnWidth(int(column), kCaseColumnWidths[column]);
     m_cases->header()->setStretchLastSection(true);
     m_progress->setAccessibleName(tr("Progress"));
     auto* bottom = new QHBoxLayout;
@@ -68,7 +68,7 @@ StabilityDialog::StabilityDialog(Session& session, QWidget* parent)
     connect(m_cases, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) { open(*item); });
     fill();
     showState();
-    resize(kSize.boundedTo(screen()->availableGeometry().size()));
+    resize(kStabilitySize.boundedTo(screen()->availableGeometry().size()));
 }
 
 StabilityDialog::~StabilityDialog() { m_stop.request_stop(); }
@@ -81,13 +81,13 @@ void StabilityDialog::reject() {
 void StabilityDialog::fill() {
     for (const stability::StabilityCase& which : stability::battery()) {
         auto* item = new QTreeWidgetItem(m_cases);
-        item->setText(Case, QStringLiteral("%1  %2").arg(which.number).arg(translated(which.title)));
-        item->setText(Answer, translated(which.expected));
-        item->setData(Case, Qt::UserRole, QString::fromStdString(which.id));
+        item->setText(kCaseColumn, QStringLiteral("%1  %2").arg(which.number).arg(translated(which.title)));
+        item->setText(kRightColumn, translated(which.expected));
+        item->setData(kCaseColumn, Qt::UserRole, QString::fromStdString(which.id));
         const QString scene = which.scene.empty() ? tr("This case has no scene.")
                                                   : tr("Double click: open %1").arg(QString::fromStdString(which.scene));
-        item->setToolTip(Case, item->text(Case) + QLatin1Char('\n') + scene);
-        item->setToolTip(Answer, item->text(Answer));
+        item->setToolTip(kCaseColumn, item->text(kCaseColumn) + QLatin1Char('\n') + scene);
+        item->setToolTip(kRightColumn, item->text(kRightColumn));
     }
 }
 
@@ -108,7 +108,8 @@ std::vector<const stability::StabilityCase*> StabilityDialog::chosen() const {
 
 void StabilityDialog::open(const QTreeWidgetItem& item) {
     const QTreeWidgetItem& top = item.parent() != nullptr ? *item.parent() : item;
-    const stability::StabilityCase& which = *stability::casesNamed(top.data(Case, Qt::UserRole).toString().toStdString()).front();
+    const stability::StabilityCase& which =
+        *stability::casesNamed(top.data(kCaseColumn, Qt::UserRole).toString().toStdString()).front();
     if (!which.scene.empty()) emit sceneWanted(QString::fromStdString(which.scene));
 }
 
@@ -120,8 +121,8 @@ void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& 
     for (const stability::StabilityCase* which : cases) {
         QTreeWidgetItem& item = *itemOf(*which);
         qDeleteAll(item.takeChildren());
-        item.setText(Verdict, QStringLiteral("…"));
-        item.setText(Found, {});
+        item.setText(kVerdictColumn, QStringLiteral("…"));
+        item.setText(kFoundColumn, {});
     }
     m_stop = std::stop_source();
     showState();
@@ -155,19 +156,19 @@ void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& 
 void StabilityDialog::showResult(const stability::CaseResult& result) {
     if (!m_running) return;
     QTreeWidgetItem& item = *itemOf(*result.which);
-    item.setText(Verdict, result.right() ? tr("right") : tr("WRONG"));
-    item.setText(Found, translated(result.found()));
-    item.setToolTip(Found, item.text(Found));
+    item.setText(kVerdictColumn, result.right() ? tr("right") : tr("WRONG"));
+    item.setText(kFoundColumn, translated(result.found()));
+    item.setToolTip(kFoundColumn, item.text(kFoundColumn));
     for (const stability::Finding& finding : result.findings) {
         auto* row = new QTreeWidgetItem(&item);
-        row->setText(Case, QString::fromStdString(finding.subject));
-        row->setText(Verdict, !finding.right    ? tr("WRONG")
-                              : finding.control ? tr("control")
-                              : finding.refused ? tr("refuses")
-                                                : tr("right"));
-        row->setText(Answer, sentence(finding.expected));
-        row->setText(Found, sentence(finding.found));
-        row->setToolTip(Found, row->text(Found));
+        row->setText(kCaseColumn, QString::fromStdString(finding.subject));
+        row->setText(kVerdictColumn, !finding.right    ? tr("WRONG")
+                                     : finding.control ? tr("control")
+                                     : finding.refused ? tr("refuses")
+                                                       : tr("right"));
+        row->setText(kRightColumn, findingWords(finding.expected));
+        row->setText(kFoundColumn, findingWords(finding.found));
+        row->setToolTip(kFoundColumn, row->text(kFoundColumn));
     }
     if (!result.right()) item.setExpanded(true);
     m_results.push_back(result);
@@ -177,7 +178,8 @@ void StabilityDialog::showResult(const stability::CaseResult& result) {
 void StabilityDialog::end(const Message& failure) {
     m_running = false;
     for (int row = 0; row < m_cases->topLevelItemCount(); ++row)
-        if (m_cases->topLevelItem(row)->text(Verdict) == QStringLiteral("…")) m_cases->topLevelItem(row)->setText(Verdict, {});
+        if (m_cases->topLevelItem(row)->text(kVerdictColumn) == QStringLiteral("…"))
+            m_cases->topLevelItem(row)->setText(kVerdictColumn, {});
     showState();
     if (!failure.empty()) m_session.raise(Severity::Error, failure);
     emit ended();

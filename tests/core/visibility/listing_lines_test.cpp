@@ -33,6 +33,8 @@ constexpr WithoutDecision kWithoutDecision[] = {
     {"depth-buffer", 1},
     {"frustum-select", 1},
     {"frustum-query", 1},
+    // Without a file nothing is left out.
+    {"recorded", 4},
 };
 
 struct Shot {
