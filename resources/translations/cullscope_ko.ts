@@ -5882,8 +5882,8 @@
         <translation>OpenGL의 선택 모드로 그린 상자: %1, 적중 기록: %2, %3워드의 적중 버퍼가 그전에 넘친 횟수: %4</translation>
     </message>
     <message>
-        <source>The box, grown by %1, was drawn for selection: its hit record says depths from %2 to %3.</source>
-        <translation>%1만큼 키운 상자를 선택 모드로 그렸습니다. 그 적중 기록의 깊이는 %2부터 %3까지입니다.</translation>
+        <source>OpenGL was asked about the box, grown by %1: it was hit, at depths from %2 to %3.</source>
+        <translation>%1만큼 키운 상자를 OpenGL에 물었고, 깊이 %2부터 %3까지에서 맞았습니다.</translation>
     </message>
     <message>
         <source>The mesh&apos;s axis to which the map&apos;s poles belong.</source>

@@ -5590,8 +5590,8 @@
         <translation>以 OpenGL 的选择模式绘制的包围盒：%1；命中记录：%2；%3 个字的命中缓冲区此前溢出次数：%4</translation>
     </message>
     <message>
-        <source>The box, grown by %1, was drawn for selection: its hit record says depths from %2 to %3.</source>
-        <translation>放大 %1 的包围盒以选择模式绘制：其命中记录的深度为 %2 至 %3。</translation>
+        <source>OpenGL was asked about the box, grown by %1: it was hit, at depths from %2 to %3.</source>
+        <translation>就放大 %1 的包围盒询问了 OpenGL：命中，深度为 %2 至 %3。</translation>
     </message>
     <message>
         <source>The mesh&apos;s axis to which the map&apos;s poles belong.</source>

@@ -108,6 +108,10 @@ TEST_F(ListingPanelTest, flowChartIsLitAtTheListingsCurrentLine) {
     // What is lit is told in words, too, and in the user's language.
     EXPECT_EQ(plot.accessibleDescription().count(QStringLiteral("the step in hand")), 1)
         << plot.accessibleDescription().toStdString();
+    EXPECT_FALSE(plot.litPlace().isEmpty());
+    panel.tabs().setCurrentWidget(&panel.flowChart());
+    QApplication::processEvents();
+    EXPECT_TRUE(plot.visibleRegion().boundingRect().intersects(plot.litPlace())) << "it is scrolled to";
     EXPECT_GT(plot.neededHeight(360), plot.neededHeight(900)) << "words break into more lines in a narrow dock";
     EXPECT_FALSE(plotImage(plot, {720, 640}).isNull());
     session.slot(1).choose("all");

@@ -42,6 +42,17 @@ void FlowChartPanel::refresh() {
     const Show* listing = shownStrategy(m_session).first(Show::Kind::Listing);
     m_plot->setEmptySentence(tr("This strategy has no flow chart."));
     m_plot->setChart(listing != nullptr ? listing->chart : FlowChart(), currentLine());
+    showLit();
+}
+
+void FlowChartPanel::showLit() {
+    const QRect lit = m_plot->litPlace();
+    if (!lit.isEmpty()) ensureVisible(lit.center().x(), lit.center().y(), 0, viewport()->height() / 2);
+}
+
+void FlowChartPanel::resizeEvent(QResizeEvent* event) {
+    QScrollArea::resizeEvent(event);
+    showLit();
 }
 
 void FlowChartPanel::changeEvent(QEvent* event) {

@@ -21,9 +21,12 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void refresh();
+    /// Scrolls to the lit box.
+    void showLit();
     /// The listing's line that is lit; 0: none.
     [[nodiscard]] uint8_t currentLine() const;
 

@@ -1,5 +1,6 @@
 #include "ui/plots/flow_chart_plot.h"
 
+#include <QPolygonF>
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +57,18 @@ void FlowChartPlot::paintPlot(QPainter& painter, const QRectF& place, const QPal
     painter.translate(place.topLeft());
     paintDrawing(painter, drawing);
     painter.restore();
+}
+
+QRect FlowChartPlot::litPlace() const {
+    double height = 0.0;
+    for (const auto& item : laidOut(width(), height, font(), palette()).items) {
+        const auto* path = std::get_if<DrawnPath>(&item);
+        if (path == nullptr || path->fill != FlowColours().lit) continue;
+        QPolygonF outline;
+        for (const PlotPoint& point : path->points) outline << QPointF(point.x, point.y);
+        return outline.boundingRect().toAlignedRect();
+    }
+    return {};
 }
 
 int FlowChartPlot::neededHeight(int width) const {

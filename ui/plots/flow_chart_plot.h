@@ -17,6 +17,9 @@ public:
     void setEmptySentence(const QString& sentence);
     [[nodiscard]] uint8_t line() const { return m_line; }
 
+    /// Where the lit box lies; empty: none is lit.
+    [[nodiscard]] QRect litPlace() const;
+
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool empty() const override { return m_chart.empty(); }
     void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;

@@ -153,7 +153,7 @@ private:
             Decision question = boxQuestion(Subject::ofObject(instance), true, hit, questions.growths[i]);
             if (hit && !questions.distances.empty()) {
                 question.sentence =
-                    CULLSCOPE_TR("The box, grown by %1, was drawn for selection: its hit record says depths from %2 to %3.");
+                    CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: it was hit, at depths from %2 to %3.");
                 question.operands[1] = questions.distances[i].nearest;
                 question.operands[2] = questions.distances[i].farthest;
                 question.operandCount = 3;

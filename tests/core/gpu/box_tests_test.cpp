@@ -35,10 +35,10 @@ TEST(BoxSelection, boxesInViewAreHitAndThoseBesideItAreNot) {
 }
 
 TEST(BoxSelection, hitRecordsSayHowNearAndHowFarABoxReachesInView) {
-    // Wholly in view; from before the near plane; to beyond the far plane; flat.
+    // Wholly in view; around the near plane, where its sides lie in view from a distance of 1 on; to beyond the far plane; flat.
     const std::vector<EyeBox> boxes{box({-1, -1, -6}, {1, 1, -4}), box({-1, -1, -3}, {1, 1, -0.05}),
                                     box({-1, -1, -30}, {1, 1, -8}), box({-1, -1, -5}, {1, 1, -5})};
-    const std::vector<std::pair<double, double>> expected{{4, 6}, {0.1, 3}, {8, 10}, {5, 5}};
+    const std::vector<std::pair<double, double>> expected{{4, 6}, {1, 3}, {8, 10}, {5, 5}};
     const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), boxes, 16);
     EXPECT_THAT(selected.hits, ElementsAre(0, 1, 2, 3));
     ASSERT_EQ(selected.distances.size(), selected.hits.size());
