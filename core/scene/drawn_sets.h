@@ -33,8 +33,8 @@ struct DrawnSets {
 /// One pose of a file to be written.
 struct WrittenPose {
     CameraPath::Pose pose;
-    std::vector<uint32_t> objects;   ///< instances, ascending
-    DrawnSets::Triangles triangles;  ///< empty with `objects` only
+    std::vector<uint32_t> objects;     ///< instances, ascending
+    DrawnSets::Triangles triangles{};  ///< empty with `objects` only
 };
 struct WrittenSets {
     std::string scene;  ///< file or specification, as a remark

@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/scene/gallery/gallery.h"
 #include "core/scene/hidden.h"
 #include "ui/session/session_json.h"
 #include "ui/session/view_sizes.h"
@@ -26,8 +27,10 @@ constexpr std::array kUpAxes{std::pair<const char*, UpAxis>{"y", UpAxis::Y}, std
 
 bool isGeneratorsName(const std::string& file) {
     const std::string id = file.substr(0, file.find(':'));
-    const std::vector<GeneratorInfo>& known = sceneGenerators();
-    return std::any_of(known.begin(), known.end(), [&](const GeneratorInfo& info) { return info.id == id; });
+    const auto isKnown = [&](const std::vector<GeneratorInfo>& known) {
+        return std::any_of(known.begin(), known.end(), [&](const GeneratorInfo& info) { return info.id == id; });
+    };
+    return isKnown(sceneGenerators()) || isKnown(galleryInfos());
 }
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {

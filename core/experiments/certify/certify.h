@@ -21,8 +21,8 @@ struct Counterexample {
     uint64_t lostPixels = 0;       ///< of the view as it was tried
     uint64_t triangles = 0;        ///< of the scene that it was shrunk to
     uint64_t objects = 0;
-    Viewport size;             ///< of the view that it was shrunk to
-    std::string file;          ///< of the case that was written, without an ending; empty: none was
+    Viewport size{};           ///< of the view that it was shrunk to
+    std::string file{};        ///< of the case that was written, without an ending; empty: none was
     bool fileShowsIt = false;  ///< whether the loss is seen in the scene as it is read back from the file
 };
 
@@ -32,12 +32,12 @@ struct Certificate {
     uint64_t seed = 0;
     uint64_t blocks = 0;             ///< of all shards together
     uint64_t shard = 1, shards = 1;  ///< from 1; merged: 1 of 1
-    std::vector<bool> done;          ///< by block
+    std::vector<bool> done{};        ///< by block
     uint64_t views = 0;              ///< tried
     uint64_t promised = 0;           ///< of these, where it promises to lose nothing
     uint64_t refused = 0;            ///< views of scenes that it does not serve
     uint64_t coveredPixels = 0;      ///< of the views where it promises so
-    std::vector<Counterexample> counterexamples;
+    std::vector<Counterexample> counterexamples{};
 
     [[nodiscard]] bool ofShard(uint64_t block) const { return block % shards == shard - 1; }
     [[nodiscard]] uint64_t blocksDone() const;
@@ -50,8 +50,8 @@ struct CertifyRequest {
     uint64_t views = 10'000;
     uint64_t seed = 1;
     uint64_t shard = 1, shards = 1;
-    std::filesystem::path state;      ///< read where it is there, and written after every few seconds; empty: none
-    std::filesystem::path cases;      ///< folder for counterexamples; empty: none are written
+    std::filesystem::path state{};    ///< read where it is there, and written after every few seconds; empty: none
+    std::filesystem::path cases{};    ///< folder for counterexamples; empty: none are written
     size_t threads = 0;               ///< 0: one for each processor
     size_t mostCounterexamples = 10;  ///< after which it ends
 };

@@ -17,8 +17,8 @@ namespace cullscope::stability {
 /// What one strategy, or one function of the library, does in an extreme case.
 struct Finding {
     std::string subject;  ///< a strategy as `strategyLabel` has it, or what else was tried
-    Message expected;
-    Message found;
+    Message expected{};
+    Message found{};
     bool right = true;
     bool control = false;    ///< of what must be seen to fail, so that the case can tell right from wrong
     bool refused = false;    ///< it does not serve the case, and says so in a sentence

@@ -102,6 +102,8 @@ ParameterValue otherValue(const ParameterDeclaration& declaration) {
             const auto value = std::get<double>(declaration.defaultValue);
             return 0.5 * (value + (value > declaration.minimum ? declaration.minimum : declaration.maximum));
         }
+        case ParameterType::File:
+            return std::string("sets.json");
         case ParameterType::Choice:
             break;
     }
