@@ -24,6 +24,8 @@ ParameterValue valueOf(Values& values, const ParameterDeclaration& declaration) 
         }
         case ParameterType::Real:
             return values.between(declaration.minimum, declaration.maximum);
+        case ParameterType::File:
+            return std::string("no-such-file.json");
         case ParameterType::Choice:
             break;
     }
