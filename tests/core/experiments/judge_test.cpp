@@ -33,7 +33,11 @@ ScenePointer wallAndSquares() {
 }
 enum Object : uint32_t { Wall, Large, Small, Hidden, Beside };
 
-CameraPath onePose() { return {"one", Angle::fromDegrees(90), 0.1, 10, {{Vec3(0.0), {0, 0, -1}, {0, 1, 0}}}}; }
+CameraPath onePose() {
+    CameraPath path{.name = "one", .fovy = Angle::fromDegrees(90), .nearDistance = 0.1, .farDistance = 10};
+    path.poses.push_back({Vec3(0.0), {0, 0, -1}, {0, 1, 0}});
+    return path;
+}
 
 Judgement judged(const std::vector<uint32_t>& objects) {
     JudgeRequest request;
