@@ -43,6 +43,7 @@ std::string sectionText(const Section& section) {
 }
 
 std::optional<Section> sectionFromText(std::string_view text) {
+    if (text.ends_with(':')) return std::nullopt;
     Section section;
     const std::string_view word = cutWord(text);
     const auto axis = std::ranges::find(kAxes, word, sectionAxisId);

@@ -28,7 +28,9 @@ public:
         watch();
         connect(&session, &Session::viewCountChanged, this, &FirstObserver::follow);
         connect(&session, &Session::setupChanged, this, [this](int view) {
-            if (view == 1 && !m_changing && m_session.setup(1).role != m_role) deleteLater();
+            if (view != 1 || m_changing || m_session.setup(1).role == m_role) return;
+            disconnect(&m_session, nullptr, this, nullptr);
+            deleteLater();
         });
     }
 
