@@ -157,7 +157,7 @@ TEST_F(PlantedTree, idOfAStrategyWithinASentenceOrAnIdentifierIsReported) {
 TEST_F(PlantedTree, idThatIsAnOrdinaryWordIsReportedWhereALiteralIsNothingButStrategies) {
     const std::vector<std::string> ids{"all", "backface", "frustum", "painter", "recorded", "spherical"};
     const auto what = [](const std::string& id) { return "has the strategy " + id + " in a word"; };
-    for (const std::string id : {"all", "frustum", "painter", "spherical"}) {
+    for (const std::string id : {"all", "frustum", "painter", "recorded", "spherical"}) {
         write("ui/panel.cpp", "choose(\"" + id + "\");\nchoose(tr(\"" + id + "\"));\nchoose(\"" + id + ":box=length\");\nrun(\"" +
                                   id + ",x\");\nrun(\"x:a=1,b=2," + id + "\");\n");
         // Words of sentences, parts of other ids, and examples in comments.

@@ -6,6 +6,8 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <latch>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -56,10 +58,19 @@ public:
         : m_request(request), m_progress(progress), m_certificate(beginningOrState(request)) {}
 
     Certificate finish() {
-        const size_t threads = m_request.threads > 0 ? m_request.threads : std::max(1U, std::thread::hardware_concurrency());
+        const size_t wanted = m_request.threads > 0 ? m_request.threads : std::max(1U, std::thread::hardware_concurrency());
+        const size_t threads = std::min<uint64_t>(wanted, std::max<uint64_t>(1, m_certificate.blocksToDo()));
         {
+            std::latch begun{ptrdiff_t(threads)}, ended{ptrdiff_t(threads)};
             std::vector<std::jthread> workers;
-            for (size_t i = 0; i < threads; ++i) workers.emplace_back([this] { work(); });
+            for (size_t i = 0; i < threads; ++i) try {
+                    workers.emplace_back([&] { work(begun, ended); });
+                } catch (const std::system_error&) {
+                    // The system gives no further thread: the others do the work.
+                    begun.count_down();
+                    ended.count_down();
+                }
+            if (workers.empty()) throwInput(CULLSCOPE_TR("The system gives no thread for this: close other programs."));
         }
         if (!m_request.state.empty()) writeCertificate(m_request.state, m_certificate);
         if (m_failure) std::rethrow_exception(m_failure);
@@ -77,10 +88,30 @@ private:
         return std::nullopt;
     }
 
-    void work() {
+    /// All threads have their contexts before any of them works, and keep them until all are done: EGL's display is one for the
+    /// process, and the end of a context may end it for the others.
+    void work(std::latch& begun, std::latch& ended) {
+        std::unique_ptr<HeadlessContext> context = makeContext();
+        begun.arrive_and_wait();
+        if (context) tryBlocks();
+        ended.arrive_and_wait();
+        const std::lock_guard lock(m_contexts);
+        context.reset();
+    }
+
+    std::unique_ptr<HeadlessContext> makeContext() {
+        const std::lock_guard lock(m_contexts);
         try {
             // An OpenGL context belongs to the thread that made it.
-            const HeadlessContext context;
+            return std::make_unique<HeadlessContext>();
+        } catch (const std::exception&) {
+            fail();
+            return nullptr;
+        }
+    }
+
+    void tryBlocks() {
+        try {
             Renderer renderer;
             const Progress quiet{nullptr, m_progress.stop};
             while (const std::optional<uint64_t> block = next()) add(*block, certifyBlock(m_request, *block, renderer, quiet));
@@ -113,7 +144,7 @@ private:
 
     const CertifyRequest& m_request;
     const Progress& m_progress;
-    std::mutex m_mutex;
+    std::mutex m_mutex, m_contexts;
     Certificate m_certificate;
     uint64_t m_next = 0;
     std::chrono::steady_clock::time_point m_written = std::chrono::steady_clock::now();
