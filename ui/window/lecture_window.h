@@ -59,6 +59,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    static constexpr int kPageMargin = 16;  ///< pixels at 1280 × 720
     void makeFoot();
     void follow();
     void borrow();

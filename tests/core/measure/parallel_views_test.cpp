@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/frame/named_parts.h"
+#include "core/geometry/random.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/meter.h"
 #include "core/measure/render_frame.h"

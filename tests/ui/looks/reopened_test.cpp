@@ -6,6 +6,7 @@
 #include <QToolBar>
 
 #include "tests/ui/looks/desktop.h"
+#include "ui/panels/message_bar.h"
 
 namespace cullscope::ui::reopened_test {
 namespace {
@@ -88,6 +89,8 @@ TEST(Reopened, aLargeScreenshotBringsTheSameViewBack) {
     for (int y = 0; y < kKept.height(); y += kKept.height() - 30) small.masked.emplace_back(0, y, kKept.width(), 30);
     EXPECT_TRUE(looksAsKept(small, QStringLiteral("screenshot-4k")));
 
+    // That the screenshot was saved is said below the views; the other window has saved none.
+    for (MessageBar* bar : desktop.window.findChildren<MessageBar*>()) bar->hide();
     const Look before = desktop.look();
     const std::vector<QImage> scenes{desktop.scene(0), desktop.scene(1)};
     changeEverything(desktop);
