@@ -2,8 +2,10 @@
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
-#include <array>
 
+#include <array>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,31 @@ bool isSoftware(const std::string& renderer) {
     return false;
 }
 
+/// How many contexts of this process use a display. EGL has one display of a kind a process, and its end is the end of all of its
+/// contexts, on whatever thread they are: it comes with the last of them.
+class Displays {
+public:
+    bool begin(EGLDisplay display) {
+        const std::lock_guard lock(m_mutex);
+        if (!eglInitialize(display, nullptr, nullptr)) return false;
+        ++m_users[display];
+        return true;
+    }
+    void end(EGLDisplay display) {
+        const std::lock_guard lock(m_mutex);
+        if (--m_users[display] == 0) eglTerminate(display);
+    }
+
+private:
+    std::mutex m_mutex;
+    std::map<EGLDisplay, int> m_users;
+};
+
+Displays& displays() {
+    static Displays all;
+    return all;
+}
+
 /// One display with its context; destroys both.
 struct EglContext {
     EGLDisplay display = EGL_NO_DISPLAY;
@@ -42,7 +69,7 @@ struct EglContext {
             eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             eglDestroyContext(display, context);
         }
-        eglTerminate(display);
+        displays().end(display);
     }
     void swap(EglContext& other) {
         std::swap(display, other.display);
@@ -66,7 +93,7 @@ EGLContext createContext(EGLDisplay display, EGLConfig config) {
 /// Makes a context on a display and makes it current.
 std::optional<EglContext> contextOn(EGLDisplay display, const char* platform) {
     EglContext made;
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr)) return std::nullopt;
+    if (display == EGL_NO_DISPLAY || !displays().begin(display)) return std::nullopt;
     made.display = display;
     made.platform = platform;
     const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};

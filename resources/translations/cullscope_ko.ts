@@ -6265,6 +6265,10 @@
         <source>all %1 findings are right; the control fails as it must: %2</source>
         <translation>결과 %1개가 모두 맞고 대조군은 마땅히 실패함: %2</translation>
     </message>
+    <message>
+        <source>The system gives no thread for this: close other programs.</source>
+        <translation>시스템이 이 작업에 스레드를 주지 않습니다. 다른 프로그램을 닫으세요.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

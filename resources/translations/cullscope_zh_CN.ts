@@ -6269,6 +6269,10 @@
         <source>all %1 findings are right; the control fails as it must: %2</source>
         <translation>全部 %1 项结果正确；对照如预期失败：%2</translation>
     </message>
+    <message>
+        <source>The system gives no thread for this: close other programs.</source>
+        <translation>系统无法为此提供线程：请关闭其他程序。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -65,7 +65,7 @@ StabilityDialog::StabilityDialog(Session& session, QWidget* parent)
     });
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_cases, &QTreeWidget::itemSelectionChanged, this, &StabilityDialog::showState);
-    connect(m_cases, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) { openCase(*item); });
+    connect(m_cases, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) { openSceneOf(*item); });
     fill();
     showState();
     resize(kStabilitySize.boundedTo(screen()->availableGeometry().size()));
@@ -106,7 +106,7 @@ std::vector<const stability::StabilityCase*> StabilityDialog::chosen() const {
     return cases;
 }
 
-void StabilityDialog::openCase(const QTreeWidgetItem& item) {
+void StabilityDialog::openSceneOf(const QTreeWidgetItem& item) {
     const QTreeWidgetItem& top = item.parent() != nullptr ? *item.parent() : item;
     const stability::StabilityCase& which =
         *stability::casesNamed(top.data(kCaseColumn, Qt::UserRole).toString().toStdString()).front();

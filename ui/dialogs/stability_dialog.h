@@ -44,7 +44,7 @@ private:
     void showResult(const stability::CaseResult& result);
     void end(const Message& failure);
     void showState();
-    void openCase(const QTreeWidgetItem& item);
+    void openSceneOf(const QTreeWidgetItem& item);
     [[nodiscard]] std::vector<const stability::StabilityCase*> chosen() const;
     [[nodiscard]] QTreeWidgetItem* itemOf(const stability::StabilityCase& which) const;
 
