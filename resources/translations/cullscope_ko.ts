@@ -6269,6 +6269,14 @@
         <source>The system gives no thread for this: close other programs.</source>
         <translation>시스템이 이 작업에 스레드를 주지 않습니다. 다른 프로그램을 닫으세요.</translation>
     </message>
+    <message>
+        <source>of the headroom, % [95 %]</source>
+        <translation>여유 중 비율, % [95 %]</translation>
+    </message>
+    <message>
+        <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing all of it in the order of neighbours is faster.</source>
+        <translation>뺐지만 결국 그립니다. 물체의 삼각형 중 %1개에 1개도 되지 않게 빠지며, 이웃 순서로 전체를 그리는 쪽이 빠릅니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6385,6 +6393,19 @@ OpenGL %2
     <message>
         <source>The measurement was stopped early: poses are missing.</source>
         <translation>측정을 일찍 멈추었으므로 빠진 자세가 있습니다.</translation>
+    </message>
+    <message>
+        <source>Drawing everything is best here: not even exactly the visible triangles, known beforehand, are surely faster.</source>
+        <translation>여기서는 모두 그리는 것이 가장 좋습니다. 보이는 삼각형만 미리 알고 그려도 확실히 더 빠르지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Any culling could gain at most %1 here: so much faster are exactly the visible triangles.</source>
+        <translation>여기서 컬링이 얻을 수 있는 최대는 %1입니다. 보이는 삼각형만 그릴 때의 속도입니다.</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 % of the time that can be saved.</source>
+        <comment>a strategy</comment>
+        <translation>%1 전략은 줄일 수 있는 시간의 %2 %를 줄입니다.</translation>
     </message>
 </context>
 <context>
@@ -8192,6 +8213,16 @@ sides [95 %]</source>
         <source>Against %1: %2</source>
         <comment>a strategy; a ratio of times</comment>
         <translation>%1 대비: %2</translation>
+    </message>
+    <message>
+        <source>Of the headroom
+[95 %]</source>
+        <translation>여유 중 비율
+[95 %]</translation>
+    </message>
+    <message>
+        <source>Share of the time saved that any culling could save: what the oracle saves, which draws exactly the visible triangles and knows them beforehand. Both against the baseline that draws the same sides</source>
+        <translation>어떤 컬링이든 줄일 수 있는 시간 중 줄인 비율입니다. 보이는 삼각형만 미리 알고 그리는 오라클이 줄이는 시간이 기준이며, 둘 다 같은 면을 그리는 기준선과 비교합니다</translation>
     </message>
 </context>
 <context>

@@ -5918,10 +5918,6 @@
         <translation>被平面切过：无法区分</translation>
     </message>
     <message>
-        <source>outside</source>
-        <translation>在外部</translation>
-    </message>
-    <message>
         <source>not outside</source>
         <translation>不在外部</translation>
     </message>
@@ -6273,6 +6269,14 @@
         <source>The system gives no thread for this: close other programs.</source>
         <translation>系统无法为此提供线程：请关闭其他程序。</translation>
     </message>
+    <message>
+        <source>of the headroom, % [95 %]</source>
+        <translation>占余地的比例，% [95 %]</translation>
+    </message>
+    <message>
+        <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing all of it in the order of neighbours is faster.</source>
+        <translation>已剔除但仍绘制：该物体的三角形中剔除的不到 %1 分之一，按相邻顺序全部绘制更快。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6389,6 +6393,19 @@ OpenGL %2
     <message>
         <source>The measurement was stopped early: poses are missing.</source>
         <translation>测量被提前停止：缺少一些姿态。</translation>
+    </message>
+    <message>
+        <source>Drawing everything is best here: not even exactly the visible triangles, known beforehand, are surely faster.</source>
+        <translation>此处全部绘制最好：即使事先知道恰好可见的三角形，也不一定更快。</translation>
+    </message>
+    <message>
+        <source>Any culling could gain at most %1 here: so much faster are exactly the visible triangles.</source>
+        <translation>此处任何剔除最多可获得 %1：这是只绘制可见三角形时的速度。</translation>
+    </message>
+    <message>
+        <source>%1 saves %2 % of the time that can be saved.</source>
+        <comment>a strategy</comment>
+        <translation>%1 节省了可节省时间的 %2 %。</translation>
     </message>
 </context>
 <context>
@@ -8196,6 +8213,16 @@ sides [95 %]</source>
         <source>Against %1: %2</source>
         <comment>a strategy; a ratio of times</comment>
         <translation>相对 %1：%2</translation>
+    </message>
+    <message>
+        <source>Of the headroom
+[95 %]</source>
+        <translation>占余地的比例
+[95 %]</translation>
+    </message>
+    <message>
+        <source>Share of the time saved that any culling could save: what the oracle saves, which draws exactly the visible triangles and knows them beforehand. Both against the baseline that draws the same sides</source>
+        <translation>已节省的时间占任何剔除可节省时间的比例：即预言机所节省的时间，它事先知道并只绘制可见的三角形。两者都与绘制相同面的基线相比</translation>
     </message>
 </context>
 <context>
