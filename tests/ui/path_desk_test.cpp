@@ -38,7 +38,8 @@ TEST_F(Desk, everyBuiltInPathIsMadeBesideTheWindowAndStepped) {
         EXPECT_FALSE(desk.player().playing());
         EXPECT_EQ(session.camera().eye, eyeOf(0)) << path.id;
         desk.step(1);
-        EXPECT_EQ(session.camera().eye, eyeOf(1));
+        // A path that the scene gives may have one pose.
+        EXPECT_EQ(session.camera().eye, eyeOf(std::min(1, int(desk.path().poses.size()) - 1)));
         desk.step(-7);
         EXPECT_EQ(desk.player().pose(), 0) << "stays at the first";
         desk.go(1000);

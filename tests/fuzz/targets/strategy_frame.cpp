@@ -24,6 +24,8 @@ ParameterValue valueOf(Values& values, const ParameterDeclaration& declaration) 
         }
         case ParameterType::Real:
             return values.between(declaration.minimum, declaration.maximum);
+        case ParameterType::File:
+            return std::string();  // a file's readers have targets of their own
         case ParameterType::Choice:
             break;
     }
