@@ -9046,8 +9046,9 @@ sides [95 %]</source>
         <translation>개수</translation>
     </message>
     <message>
-        <source>Flow chart</source>
-        <translation>흐름도</translation>
+        <source>Chart</source>
+        <comment>a tab: a flow chart</comment>
+        <translation>순서도</translation>
     </message>
 </context>
 <context>

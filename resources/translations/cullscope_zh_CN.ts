@@ -9046,7 +9046,8 @@ sides [95 %]</source>
         <translation>计数</translation>
     </message>
     <message>
-        <source>Flow chart</source>
+        <source>Chart</source>
+        <comment>a tab: a flow chart</comment>
         <translation>流程图</translation>
     </message>
 </context>

@@ -38,8 +38,13 @@ TEST_F(Desk, everyBuiltInPathIsMadeBesideTheWindowAndStepped) {
         EXPECT_FALSE(desk.player().playing());
         EXPECT_EQ(session.camera().eye, eyeOf(0)) << path.id;
         desk.step(1);
+<<<<<<< HEAD
         // The path of the scene's own poses has a single one here.
         EXPECT_EQ(session.camera().eye, eyeOf(desk.path().poses.size() > 1 ? 1 : 0));
+=======
+        // A path that the scene gives may have one pose.
+        EXPECT_EQ(session.camera().eye, eyeOf(std::min(1, int(desk.path().poses.size()) - 1)));
+>>>>>>> 80e283f57fdb0447b78ecddf3ce254a93cd4cf01
         desk.step(-7);
         EXPECT_EQ(desk.player().pose(), 0) << "stays at the first";
         desk.go(1000);

@@ -16,9 +16,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr QSize kStabilitySize{1100, 620};
+constexpr QSize kStabilitySize{1320, 640};
 constexpr int kCaseColumn = 0, kVerdictColumn = 1, kRightColumn = 2, kFoundColumn = 3, kCaseColumns = 4;
-constexpr std::array<int, 3> kCaseColumnWidths{330, 90, 330};  // the last column takes the rest
+constexpr std::array<int, 3> kCaseColumnWidths{430, 80, 380};  // the last column takes the rest
 
 QString findingWords(const Message& message) {
     // A number alone is the same in every language.

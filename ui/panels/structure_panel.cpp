@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
+#include <QProxyStyle>
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
 #include <QTabBar>
@@ -34,6 +35,17 @@ private:
     QWidget* m_view;
 };
 
+/// The application's style with less room beside the words of a tab: seven tabs stand side by side in the dock.
+class CloseTabs final : public QProxyStyle {
+public:
+    using QProxyStyle::pixelMetric;
+    int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+        constexpr int kBesideWords = 12;  // pixels, on both sides together
+        const int usual = QProxyStyle::pixelMetric(metric, option, widget);
+        return metric == PM_TabBarTabHSpace ? std::min(kBesideWords, usual) : usual;
+    }
+};
+
 }  // namespace
 
 StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent)
@@ -62,6 +74,9 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     }
     m_tabs->setCurrentWidget(m_tree);
     m_tabs->setDocumentMode(true);
+    auto* const close = new CloseTabs;
+    close->setParent(m_tabs);
+    m_tabs->tabBar()->setStyle(close);
     layout->addWidget(m_tabs, 1);
     connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
         if (!m_showing) m_left = nullptr;
@@ -182,7 +197,7 @@ void StructurePanel::retranslate() {
     for (CurvePanel* curve : m_curves) m_tabs->setTabText(m_tabs->indexOf(curve), translated(curve->declared().title));
     m_tabs->setTabText(m_tabs->indexOf(m_tree), tr("Tree"));
     m_tabs->setTabText(m_tabs->indexOf(m_listing), tr("Listing"));
-    m_tabs->setTabText(m_tabs->indexOf(m_chart), tr("Flow chart"));
+    m_tabs->setTabText(m_tabs->indexOf(m_chart), tr("Chart", "a tab: a flow chart"));
     m_tabs->setTabText(m_tabs->indexOf(m_bars), tr("Counts"));
     m_tabs->setTabText(m_tabs->indexOf(m_why), tr("Why"));
     m_tabs->setTabText(m_tabs->indexOf(m_losses), tr("Losses"));
