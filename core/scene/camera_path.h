@@ -38,8 +38,8 @@ inline constexpr size_t kMostPoses = 1'000'000;
 /// The vertical field of view of a picture of that size with that horizontal one; both are full angles.
 [[nodiscard]] Angle verticalField(Angle horizontal, const Viewport& size);
 
-/// The path that a scene is measured on by default: `given` where it gives its cameras, `tour:16` where one stands in it (isStoodIn in scene/tour.h), else
-/// `fibonacci:16` for one object, `walk:16` for several. Looks at every triangle once.
+/// The path that a scene is measured on by default: `given` where it gives its cameras, `tour:16` where one stands in it
+/// (isStoodIn in scene/tour.h), else `fibonacci:16` for one object, `walk:16` for several. Looks at every triangle once.
 [[nodiscard]] std::string defaultPathName(const Scene& scene);
 
 /// The area-weighted centroid of all surfaces: the middle of an object, hardly affected by thin protruding parts. Looks at every
