@@ -39,8 +39,9 @@ struct Control {
     double leastLost = 0.0;  ///< share of the covered pixels, exclusive
 };
 
-/// A case of the battery: data, and a function in a file of its own. Without a function, every strategy draws the scene from its
-/// cameras: those that promise to lose nothing there must lose nothing, the others are measured (lossless_check.h).
+/// A case of the battery: data, and the function that finds what is right and wrong of it. The usual one is in lossless_check.h:
+/// every strategy draws the scene from its cameras; those that promise to lose nothing there must lose nothing, the others are
+/// measured.
 struct StabilityCase {
     int number = 0;
     std::string id;        ///< "16-bowl"
