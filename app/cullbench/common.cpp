@@ -181,7 +181,7 @@ CLI::Option* addFieldOption(CLI::App& command, double& fovx) {
 }
 
 void addLimitOption(CLI::App& command, bool& noLimit) {
-    command.add_flag("--no-limit", noLimit, "without the oracle, and so without shares of what culling could gain");
+    command.add_flag("--no-limit", noLimit, "without the limit of culling, and so without shares of the headroom");
 }
 
 void addRunOptions(CLI::App& command, RunOptions& options) {

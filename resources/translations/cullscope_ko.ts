@@ -8221,8 +8221,8 @@ sides [95 %]</source>
 [95 %]</translation>
     </message>
     <message>
-        <source>Share of the time saved that any culling could save: what the oracle saves, which draws exactly the visible triangles and knows them beforehand. Both against the baseline that draws the same sides</source>
-        <translation>어떤 컬링이든 줄일 수 있는 시간 중 줄인 비율입니다. 보이는 삼각형만 미리 알고 그리는 오라클이 줄이는 시간이 기준이며, 둘 다 같은 면을 그리는 기준선과 비교합니다</translation>
+        <source>Share of the time saved that any culling could save: what is saved where exactly the visible triangles are drawn, known beforehand. Both against the baseline that draws the same sides</source>
+        <translation>어떤 컬링이든 줄일 수 있는 시간 중 줄인 비율입니다. 보이는 삼각형만 미리 알고 그릴 때 줄어드는 시간이 기준이며, 둘 다 같은 면을 그리는 기준선과 비교합니다</translation>
     </message>
 </context>
 <context>

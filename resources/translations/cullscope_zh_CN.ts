@@ -8221,8 +8221,8 @@ sides [95 %]</source>
 [95 %]</translation>
     </message>
     <message>
-        <source>Share of the time saved that any culling could save: what the oracle saves, which draws exactly the visible triangles and knows them beforehand. Both against the baseline that draws the same sides</source>
-        <translation>已节省的时间占任何剔除可节省时间的比例：即预言机所节省的时间，它事先知道并只绘制可见的三角形。两者都与绘制相同面的基线相比</translation>
+        <source>Share of the time saved that any culling could save: what is saved where exactly the visible triangles are drawn, known beforehand. Both against the baseline that draws the same sides</source>
+        <translation>已节省的时间占任何剔除可节省时间的比例：以事先知道并只绘制可见三角形时节省的时间为准。两者都与绘制相同面的基线相比</translation>
     </message>
 </context>
 <context>

@@ -202,8 +202,9 @@ QString ResultTableModel::explanation(int column) {
                 "95 % interval");
         case Headroom:
             return tr(
-                "Share of the time saved that any culling could save: what the oracle saves, which draws exactly the visible "
-                "triangles and knows them beforehand. Both against the baseline that draws the same sides");
+                "Share of the time saved that any culling could save: what is saved where exactly the visible triangles are "
+                "drawn, known "
+                "beforehand. Both against the baseline that draws the same sides");
         case SpeedupOverTriangles:
             return tr("Total time of %1 over the views divided by this strategy's, with its 95 % interval", "a strategy")
                 .arg(baselineWord(BaselineRole::Triangles));
