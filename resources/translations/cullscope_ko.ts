@@ -9402,6 +9402,14 @@ sides [95 %]</source>
         <comment>a length, and its components along the axes</comment>
         <translation>앞서 고른 점에서 %1 (x %2, y %3, z %4)</translation>
     </message>
+    <message>
+        <source>Left out, within the raster&apos;s snapping</source>
+        <translation>래스터의 맞춤 안에서 빠짐</translation>
+    </message>
+    <message>
+        <source>The truth shows it where the raster&apos;s rounding of corners to 1/256 pixel explains the difference: no pixel is lost.</source>
+        <translation>참값에는 보이지만, 래스터가 꼭짓점을 1/256 픽셀로 맞추는 것으로 설명되는 차이입니다. 잃은 픽셀은 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WindowActions</name>

@@ -9402,6 +9402,14 @@ sides [95 %]</source>
         <comment>a length, and its components along the axes</comment>
         <translation>距上次选取的点 %1（x %2，y %3，z %4）</translation>
     </message>
+    <message>
+        <source>Left out, within the raster&apos;s snapping</source>
+        <translation>已剔除，差异在光栅对齐之内</translation>
+    </message>
+    <message>
+        <source>The truth shows it where the raster&apos;s rounding of corners to 1/256 pixel explains the difference: no pixel is lost.</source>
+        <translation>真值中可见，但该差异可由光栅将角点取整到 1/256 像素来解释：没有丢失像素。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WindowActions</name>

@@ -131,9 +131,16 @@ QString WhyPanel::stateText() const {
     const std::optional<TriangleState> state = m_reader.pickedState();
     if (!state) return tr("Whether it is visible is not known yet.");
     const bool stepped = m_session.stepOf(m_session.activeView()) != nullptr;
+    if (withinSnapping()) return tr("Left out, within the raster's snapping");
     const QString words =
         stepped && state == TriangleState::Visible ? tr("drawn, or decided to be drawn") : translated(triangleStateName(*state));
     return words.left(1).toUpper() + words.mid(1);
+}
+
+bool WhyPanel::withinSnapping() const {
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    return m_reader.pickedState() == TriangleState::WronglyCulled && figures.state == ViewMetrics::State::Ready &&
+           figures.lostPixels() == 0;
 }
 
 QString WhyPanel::decided() const {
@@ -163,6 +170,10 @@ QString WhyPanel::outcome() const {
     if (state == TriangleState::Visible) return tr("It shows in the picture.");
     if (state == TriangleState::InVain)
         return tr("It was drawn in vain: other triangles lie before all of it, or it covers no pixel's middle.");
+    if (withinSnapping())
+        return tr(
+            "The truth shows it where the raster's rounding of corners to 1/256 pixel explains the difference: no pixel is "
+            "lost.");
     if (state == TriangleState::WronglyCulled) return tr("It was wrongly left out: the truth shows it.");
     return {};
 }

@@ -22,6 +22,8 @@ public:
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString heading() const;
     /// The first line: the cause, and what decided with its numbers; empty where nothing is known yet.
+    /// Whether the picked triangle is left out wrongly in a picture that loses no pixel: the raster's snapping explains it.
+    [[nodiscard]] bool withinSnapping() const;
     [[nodiscard]] QString decided() const;
     [[nodiscard]] PlaneTable& planes() { return *m_planes; }
 

@@ -115,7 +115,7 @@ private:
         const Frustum& frustum = m_context.viewing.frustum();
         const double distance = glm::dot(surface - m_context.viewing.eye(), frustum.forward);
         if (!(distance > 0.0) || foot == surface) return;
-        const double unit = m_context.style.unit * 2.0 * frustum.tanHalfHeight * distance / m_context.viewing.viewport().height;
+        const double unit = m_context.style.unit * 2.0 * frustum.halfHeightAt(distance) / m_context.viewing.viewport().height;
         const Vec3 outward = surface - foot;
         Vec2 aside(glm::dot(outward, frustum.right), glm::dot(outward, frustum.up));
         aside = glm::length(aside) > 0.0 ? glm::normalize(aside) : Vec2(0.0, 1.0);
