@@ -93,17 +93,5 @@ TEST_F(StabilityPage, cancelledRunKeepsWhatWasFound) {
     EXPECT_TRUE(dialog().runButton().isEnabled());
 }
 
-TEST_F(StabilityPage, zzzGrab) {
-    for (const char* id : {"en", "ko", "zh_CN"}) {
-        language.use(QLatin1String(id));
-        delete window.findChild<StabilityDialog*>();
-        runChosen({"1-sphere", "3-flat-box", "16-bowl", "25-select-buffer", "27-cycle", "32-rounding"});
-        row("3-flat-box").setExpanded(true);
-        row("25-select-buffer").setExpanded(true);
-        QTest::qWait(300);
-        dialog().grab().save(QStringLiteral("/tmp/stability-%1.png").arg(QLatin1String(id)));
-    }
-}
-
 }  // namespace
 }  // namespace cullscope::ui::stability_dialog_test
