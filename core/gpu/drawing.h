@@ -118,7 +118,7 @@ void clearTo(const DrawStyle& style);
 void setSurfaceColours(const DrawStyle& style);
 
 /// Writes the part of a finished picture that a framebuffer holds: its depth, and its colour, shaded as the Lambert shader does.
-void writePicture(const Scene& scene, const View& view, const FinishedPicture& picture, const DrawStyle& style,
+void writePicture(const Scene& scene, const View& view, const FinishedPicturePointer& picture, const DrawStyle& style,
                   Framebuffer& target);
 
 /// Binds meshes as vertex input, one at a time, and returns addresses into their index buffers.

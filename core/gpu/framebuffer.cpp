@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <utility>
+
 #include "core/base/error.h"
 
 namespace cullscope {
@@ -48,8 +50,19 @@ std::vector<uint8_t> Framebuffer::readColour() const {
 
 std::vector<float> Framebuffer::readDepth() const {
     std::vector<float> depth(pixels(size()));
-    glGetTextureImage(m_depth, 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
+    glGetTextureImage(depthTexture(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(depth.size() * sizeof(float)),
+                      depth.data());
     return depth;
+}
+
+void Framebuffer::writeDepth() const {
+    if (!m_depthToWrite) return;
+    const FinishedPicturePointer picture = std::exchange(m_depthToWrite, nullptr);
+    // OpenGL takes the tile's rows out of those of the picture.
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, picture->size.width);
+    glTextureSubImage2D(m_depth, 0, 0, 0, size().width, size().height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                        &picture->depth[size_t(m_tile.y) * size_t(picture->size.width) + size_t(m_tile.x)]);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 }  // namespace cullscope

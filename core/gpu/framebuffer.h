@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/frame/commands.h"
 #include "core/scene/camera.h"
 
 namespace cullscope {
@@ -27,9 +28,22 @@ public:
 
     [[nodiscard]] const Viewport& size() const { return m_tile.size; }
     [[nodiscard]] const PictureTile& tile() const { return m_tile; }
-    [[nodiscard]] unsigned id() const { return m_framebuffer; }
+    // OpenGL's names of the framebuffer object and its textures; through the first and the last the depth is read.
+    [[nodiscard]] unsigned id() const {
+        writeDepth();
+        return m_framebuffer;
+    }
     [[nodiscard]] unsigned colourTexture() const { return m_colour; }
-    [[nodiscard]] unsigned depthTexture() const { return m_depth; }
+    [[nodiscard]] unsigned depthTexture() const {
+        writeDepth();
+        return m_depth;
+    }
+
+    /// The depth of a finished picture, or of the tile of it. OpenGL converts depths one by one, which takes a tenth of such a
+    /// frame, and most pictures are shown without it: it is written where it is asked for.
+    void setDepth(FinishedPicturePointer picture) { m_depthToWrite = std::move(picture); }
+    /// The depth is cleared next, so that what setDepth() set is not needed.
+    void dropDepth() { m_depthToWrite = nullptr; }
 
     [[nodiscard]] std::vector<uint8_t> readColour() const;  ///< RGBA, width · height · 4 bytes
     [[nodiscard]] std::vector<float> readDepth() const;     ///< width · height samples
@@ -39,6 +53,9 @@ private:
     unsigned m_framebuffer = 0;
     unsigned m_colour = 0;
     unsigned m_depth = 0;
+    mutable FinishedPicturePointer m_depthToWrite;  ///< null: the texture has the depth
+
+    void writeDepth() const;
 };
 
 }  // namespace cullscope

@@ -89,6 +89,7 @@ Renderer::Choice Renderer::choose(const SceneBuffers& buffers, const GpuChoice& 
 
 void Renderer::execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style, bool cleared) {
     const DrawList& list = choice.m_candidates;
+    if (cleared) target.dropDepth();
     const DrawingState state(view, target, list.facing, list.depth);
     if (cleared) clearTo(style);
     glUseProgram(m_programs->of(view).lambert.id());

@@ -76,6 +76,7 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
                     const DrawStyle& style) {
+    target.dropDepth();
     const DrawingState state(view, target, list.facing, list.depth);
     clearTo(style);
     beginShaded(m_programs->of(view).lambert, style);
@@ -83,6 +84,7 @@ void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawLis
 }
 
 void Renderer::clear(const View& view, Framebuffer& target, const DrawStyle& style) {
+    target.dropDepth();
     const DrawingState state(view, target, Facing::TwoSided);
     clearTo(style);
 }
@@ -90,7 +92,8 @@ void Renderer::clear(const View& view, Framebuffer& target, const DrawStyle& sty
 void Renderer::execute(const SceneBuffers& buffers, const View& view, const Command& command, Framebuffer& target,
                        const DrawStyle& style, bool cleared) {
     if (const auto* picture = std::get_if<FinishedPicturePointer>(&command))
-        return writePicture(buffers.scene(), view, **picture, style, target);
+        return writePicture(buffers.scene(), view, *picture, style, target);
+    if (cleared) target.dropDepth();
     const auto begin = [&] { beginShaded(m_programs->of(view).lambert, style); };
     if (const auto* list = std::get_if<DrawList>(&command)) {
         const DrawingState state(view, target, list->facing, list->depth);

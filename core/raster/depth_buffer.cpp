@@ -5,18 +5,11 @@
 #include <cstring>
 
 #include "core/raster/in_parallel.h"
+#include "core/raster/kernel_choice.h"
 #include "core/raster/triangle_setup.h"
 
 namespace cullscope {
 namespace {
-
-RasterKernel* kernelOf(RasterSimd simd) {
-#ifdef CULLSCOPE_RASTER_AVX
-    if (simd == RasterSimd::Avx512) return drawTrianglesAvx512;
-    if (simd == RasterSimd::Avx2) return drawTrianglesAvx2;
-#endif
-    return simd == RasterSimd::Portable ? drawTrianglesPortable : nullptr;
-}
 
 /// Copies a band's rows to the picture; how many of its pixels show a surface.
 uint64_t copyRows(const RasterBand& band, FinishedPicture& picture) {
@@ -72,7 +65,7 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
     picture.depth.resize(pixels);
     result.rows.resize(scene.bands());
     result.fates = scene.fates;
-    RasterKernel* const kernel = kernelOf(simd);
+    RasterKernel* const kernel = kernelFor<RasterKernel>(simd, CULLSCOPE_VARIANTS(drawTriangles));
     result.bytes = (width + kTile - 1) / kTile * size_t(kBandRows / kTile) * sizeof(RasterTile);
 
     forEachOf(scene.bands(), parallel, [&](size_t number) {

@@ -37,4 +37,6 @@ void projectAvx2(const RasterProjection& projection, const float* positions, siz
 
 void shadeAvx2(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx2Lanes>(shading, block); }
 
+void markShownAvx2(const uint32_t* items, size_t count, uint8_t* fates) { markShownItems<Avx2Lanes>(items, count, fates); }
+
 }  // namespace cullscope

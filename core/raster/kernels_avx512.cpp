@@ -87,4 +87,6 @@ void projectAvx512(const RasterProjection& projection, const float* positions, s
 
 void shadeAvx512(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx512Lanes>(shading, block); }
 
+void markShownAvx512(const uint32_t* items, size_t count, uint8_t* fates) { markShownItems<Avx512Lanes>(items, count, fates); }
+
 }  // namespace cullscope

@@ -53,4 +53,8 @@ void projectPortable(const RasterProjection& projection, const float* positions,
 
 void shadePortable(const Shading& shading, const ShadedBlock& block) { shadeBlock<PortableLanes>(shading, block); }
 
+void markShownPortable(const uint32_t* items, size_t count, uint8_t* fates) {
+    markShownItems<PortableLanes>(items, count, fates);
+}
+
 }  // namespace cullscope

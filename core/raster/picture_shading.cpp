@@ -5,18 +5,11 @@
 #include <vector>
 
 #include "core/raster/in_parallel.h"
+#include "core/raster/kernel_choice.h"
 #include "core/raster/shaded_rows.h"
 
 namespace cullscope {
 namespace {
-
-ShadingKernel* shadingKernelOf(RasterSimd simd) {
-#ifdef CULLSCOPE_RASTER_AVX
-    if (simd == RasterSimd::Avx512) return shadeAvx512;
-    if (simd == RasterSimd::Avx2) return shadeAvx2;
-#endif
-    return simd == RasterSimd::Portable ? shadePortable : nullptr;
-}
 
 void copyTo(double* values, const Mat3& matrix) {
     for (int column = 0; column < 3; ++column)
@@ -73,7 +66,7 @@ std::unique_ptr<uint32_t[]> shadedPicture(const Scene& scene, const View& view, 
 
     const auto width = size_t(part.size.width);
     std::unique_ptr<uint32_t[]> rgba(new uint32_t[width * size_t(part.size.height)]);
-    ShadingKernel* const kernel = shadingKernelOf(simd);
+    ShadingKernel* const kernel = kernelFor<ShadingKernel>(simd, CULLSCOPE_VARIANTS(shade));
     const int upward = (part.size.height + kShadedRows - 1) / kShadedRows;
     forEachOf(size_t(upward), parallel, [&](size_t ofRows) {
         const int row = int(ofRows) * kShadedRows;

@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/raster/in_parallel.h"
+#include "core/raster/kernel_choice.h"
 #include "core/raster/triangle_setup.h"
 
 namespace cullscope {
@@ -140,21 +141,7 @@ private:
     std::vector<Placed> m_placed;
 };
 
-ProjectionKernel* projectionKernelOf(RasterSimd simd) {
-#ifdef CULLSCOPE_RASTER_AVX
-    if (simd == RasterSimd::Avx512) return projectAvx512;
-    if (simd == RasterSimd::Avx2) return projectAvx2;
-#endif
-    return simd == RasterSimd::Portable ? projectPortable : nullptr;
-}
-
-PlacingKernel* placingKernelOf(RasterSimd simd) {
-#ifdef CULLSCOPE_RASTER_AVX
-    if (simd == RasterSimd::Avx512) return placeAvx512;
-    if (simd == RasterSimd::Avx2) return placeAvx2;
-#endif
-    return simd == RasterSimd::Portable ? placePortable : nullptr;
-}
+PlacingKernel* placingKernelOf(RasterSimd simd) { return kernelFor<PlacingKernel>(simd, CULLSCOPE_VARIANTS(place)); }
 
 }  // namespace
 
@@ -230,7 +217,7 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
     result.vertexCount = firstVertex.back();
     result.vertices.reset(new RasterVertex[result.vertexCount]);
     constexpr size_t kPartVertices = 4096;
-    ProjectionKernel* const project = projectionKernelOf(simd);
+    ProjectionKernel* const project = kernelFor<ProjectionKernel>(simd, CULLSCOPE_VARIANTS(project));
     const std::vector<Piece> ofVertices =
         piecesOf(scene, kPartVertices, [](const TriangleMesh& mesh) { return mesh.vertexCount(); });
     forEachOf(ofVertices.size(), parallel, [&](size_t i) {

@@ -50,4 +50,9 @@ using ShadingKernel = void(const Shading& shading, const ShadedBlock& block);
 
 ShadingKernel shadePortable, shadeAvx2, shadeAvx512;
 
+/// Marks the triangles that pixels show (kShown) among the fates of the scene's triangles.
+using ShowingKernel = void(const uint32_t* items, size_t count, uint8_t* fates);
+
+ShowingKernel markShownPortable, markShownAvx2, markShownAvx512;
+
 }  // namespace cullscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/raster/screen_triangle.h"
 #include "core/raster/shaded_rows.h"
 #include "core/raster/vectors.h"
 
@@ -294,6 +295,21 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
                 for (int32_t i = 0; from + i < block.columns; ++i)
                     rgba[from + i] = items[from + i] == 0 ? shading.background : colours[i];
             }
+        }
+    }
+}
+
+template <typename Lanes>
+void markShownItems(const uint32_t* items, size_t count, uint8_t* fates) {
+    constexpr size_t kAtOnce = 64;
+    for (size_t from = 0; from < count; from += kAtOnce) {
+        uint32_t any = 0;
+        const uint32_t* const of = items + from;
+        for (uint64_t left = beginsIn<Lanes>(of, int32_t(count - from < kAtOnce ? count - from : kAtOnce), any); left != 0;
+             left &= left - 1) {
+            const uint32_t item = of[__builtin_ctzll(left)];
+            // Another processor may mark the same triangle. No std::atomic_ref, whose functions are inline.
+            if (item != 0) __atomic_store_n(fates + (item - 1), uint8_t(kShown), __ATOMIC_RELAXED);
         }
     }
 }

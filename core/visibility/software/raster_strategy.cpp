@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/message.h"
+#include "core/raster/shown_triangles.h"
 #include "core/visibility/software/triangle_fates.h"
 #include "core/visibility/why.h"
 

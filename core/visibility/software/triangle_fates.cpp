@@ -1,11 +1,9 @@
 #include "core/visibility/software/triangle_fates.h"
 
 #include <algorithm>
-#include <atomic>
 #include <span>
 
 #include "core/base/message.h"
-#include "core/raster/in_parallel.h"
 
 namespace cullscope::software {
 namespace {
@@ -25,19 +23,6 @@ const char* sentenceOf(uint8_t fate) {
 }
 
 }  // namespace
-
-void markShown(const FinishedPicture& picture, std::vector<uint8_t>& fates, bool parallel) {
-    const auto width = size_t(picture.size.width);
-    forEachOf(size_t(picture.size.height), parallel, [&](size_t row) {
-        // Whether a pixel shows the triangle of the one before it is chance: nothing branches on it.
-        uint8_t background = 0;
-        for (size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
-            const uint32_t number = picture.triangle[pixel];
-            uint8_t& fate = number == 0 ? background : fates[number - 1];
-            std::atomic_ref(fate).store(uint8_t{kShown}, std::memory_order_relaxed);
-        }
-    });
-}
 
 std::vector<FateCounts> countFates(const Scene& scene, const std::vector<uint8_t>& fates) {
     std::vector<FateCounts> counts(scene.instances().size());

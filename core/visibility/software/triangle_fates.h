@@ -10,9 +10,6 @@
 
 namespace cullscope::software {
 
-/// Marks the triangles that a picture shows.
-void markShown(const FinishedPicture& picture, std::vector<uint8_t>& fates, bool parallel);
-
 /// How many of an object's triangles have each fate.
 using FateCounts = std::array<uint64_t, kTriangleFates>;
 [[nodiscard]] std::vector<FateCounts> countFates(const Scene& scene, const std::vector<uint8_t>& fates);

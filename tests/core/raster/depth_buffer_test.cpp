@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "core/mesh/parametric.h"
+#include "core/raster/shown_triangles.h"
 #include "tests/support/cut_scenes.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/pixel_edges.h"
@@ -197,6 +198,11 @@ TEST(DepthBuffer, threadsAndInstructionSetsChangeNothing) {
                     EXPECT_EQ(one.fates, other.fates);
                     EXPECT_EQ(one.total().comparisons, other.total().comparisons);
                     EXPECT_EQ(one.total().written, other.total().written);
+                    std::vector<uint8_t> shown = other.fates, expected = other.fates;
+                    markShown(*other.picture, shown, parallel, simd);
+                    for (const uint32_t number : other.picture->triangle)
+                        if (number != 0) expected[number - 1] = kShown;
+                    EXPECT_EQ(shown, expected);
                 }
         }
 }

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/frame/decided_ahead.h"
+#include "core/visibility/spherical/contour_bands.h"
 #include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/visible_region.h"
 #include "core/visibility/triangle_states.h"
