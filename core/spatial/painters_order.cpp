@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/work_check.h"
 #include "core/geometry/predicates.h"
+#include "core/spatial/plane_extent.h"
 #include "core/spatial/screen_polygon.h"
 
 namespace cullscope {
@@ -209,7 +210,7 @@ private:
         };
         if (apart(NewellTest::ExtentX, p.screen.x0, p.screen.x1, q.screen.x0, q.screen.x1)) return true;
         if (apart(NewellTest::ExtentY, p.screen.y0, p.screen.y1, q.screen.y0, q.screen.y1)) return true;
-        const Extent pByQ = extentOf(p, q.plane), qByP = extentOf(q, p.plane);
+        const PlaneExtent pByQ = extentOf(p.polygon, m_triangles, q.plane), qByP = extentOf(q.polygon, m_triangles, p.plane);
         if (passes(!pByQ.on(q.eyeSide), NewellTest::BehindQ, pByQ.reach(q.eyeSide), pByQ.reach(-q.eyeSide))) return true;
         if (passes(!qByP.on(-p.eyeSide), NewellTest::BeforeP, qByP.reach(p.eyeSide), qByP.reach(-p.eyeSide))) return true;
         const Overlap overlap = overlapOf(p.screen, q.screen);
@@ -231,29 +232,6 @@ private:
         m_lastTest = test;
         ++m_result.tests[size_t(test)];
         if (watchesAll()) m_options.watch({NewellStep::Kind::Compared, test, p.polygon, q.polygon, first, second, byDepth});
-    }
-
-    /// How far a piece reaches to both sides of a plane.
-    struct Extent {
-        bool front = false, back = false;
-        double least = 0.0, most = 0.0;
-
-        [[nodiscard]] bool on(int side) const { return side > 0 ? front : back; }
-        /// How far it reaches on a side.
-        [[nodiscard]] double reach(int side) const { return side > 0 ? most : 0.0 - least; }
-    };
-    [[nodiscard]] Extent extentOf(const Piece& piece, const CuttingPlane& plane) const {
-        Extent extent;
-        for (const CutTriangles::Corner& corner : m_triangles.cornersOf(piece.polygon)) {
-            const int side = m_triangles.side(corner.vertex, plane);
-            extent.front = extent.front || side > 0;
-            extent.back = extent.back || side < 0;
-            const double distance = plane.distance(m_triangles.position(corner.vertex));
-            // What lies in the plane reaches to no side, whatever its rounded distance says.
-            if (side < 0) extent.least = std::min(extent.least, distance);
-            if (side > 0) extent.most = std::max(extent.most, distance);
-        }
-        return extent;
     }
 
     /// Cuts one of the pieces from the marked one to the end of the stack by the plane of another of them.

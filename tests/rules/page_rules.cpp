@@ -12,6 +12,7 @@ namespace {
 
 constexpr size_t kLongestLine = 120;
 constexpr size_t kMostLinesOfReadme = 90;
+constexpr size_t kMostLinesOfSource = 350;
 
 /// The number of UTF-8 characters of a line without its URLs, which cannot be broken.
 size_t lengthWithoutAddresses(const std::string& text) {
@@ -92,6 +93,16 @@ std::vector<Offence> pageOffences(const fs::path& root) {
         std::ranges::move(offencesOfPage(root, fs::relative(page, root)), std::back_inserter(offences));
     if (const size_t lines = linesOf(root / "README.md").size(); lines > kMostLinesOfReadme)
         offences.push_back({"README.md", 0, "has " + std::to_string(lines) + " lines"});
+    return offences;
+}
+
+std::vector<Offence> longSourceOffences(const fs::path& root) {
+    std::vector<Offence> offences;
+    for (const char* folder : {"app", "core", "tests", "ui"}) {
+        for (const fs::path& file : filesBelow(root / folder, {".cpp", ".h"}))
+            if (const size_t lines = linesOf(file).size(); lines > kMostLinesOfSource)
+                offences.push_back({fs::relative(file, root), 0, "has " + std::to_string(lines) + " lines"});
+    }
     return offences;
 }
 

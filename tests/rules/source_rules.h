@@ -77,4 +77,7 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// "// core/visibility/strategy.h", that are not that file.
 [[nodiscard]] std::vector<Offence> pageOffences(const std::filesystem::path& root);
 
+/// Sources of more than 350 lines: they are split by subject.
+[[nodiscard]] std::vector<Offence> longSourceOffences(const std::filesystem::path& root);
+
 }  // namespace cullscope::rules

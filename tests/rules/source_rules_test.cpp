@@ -270,6 +270,13 @@ TEST_F(PlantedTree, readmeThatIsTooLong) {
     EXPECT_THAT(pageOffences(root()), ElementsAre(Offence{"README.md", 0, "has 91 lines"}));
 }
 
+TEST_F(PlantedTree, sourceThatIsTooLong) {
+    write("core/mesh/load.cpp", std::string(350, '\n'));
+    EXPECT_THAT(longSourceOffences(root()), IsEmpty());
+    write("core/mesh/load.cpp", std::string(351, '\n'));
+    EXPECT_THAT(longSourceOffences(root()), ElementsAre(Offence{"core/mesh/load.cpp", 0, "has 351 lines"}));
+}
+
 TEST_F(PlantedTree, linkThatLeadsToNothing) {
     write("README.md", "\n![castle](resources/help/castle.png)\n");
     write("docs/using.md", "[S](spherical.md#s), `[code](code.md)`\n```\n[code](code.md)\n```\n");
@@ -336,6 +343,7 @@ TEST(SourceRules, framesAreTimedByTheOneMeter) { EXPECT_THAT(meteringOffences(pr
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }
 TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()), IsEmpty()); }
+TEST(SourceRules, sourcesAreSplitBySubject) { EXPECT_THAT(longSourceOffences(project()), IsEmpty()); }
 TEST(SourceRules, pagesAreShortAndTheirLinksLeadSomewhere) { EXPECT_THAT(pageOffences(project()), IsEmpty()); }
 
 }  // namespace

@@ -10,7 +10,6 @@
 #include "core/gpu/context.h"
 #include "core/scene/camera_moves.h"
 #include "core/scene/scene_source.h"
-#include "core/visibility/subject_shape.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/picture_maker.h"
@@ -20,6 +19,7 @@
 #include "ui/jobs/view_metrics.h"
 #include "ui/jobs/view_setup.h"
 #include "ui/session/moving_views.h"
+#include "ui/session/session_marks.h"
 #include "ui/session/view_meter.h"
 
 namespace cullscope::ui {
@@ -28,37 +28,6 @@ using NamedPartsPointer = std::shared_ptr<const NamedParts>;
 using OpenedScenePointer = std::shared_ptr<const OpenedScene>;
 
 enum class Severity { Information, Warning, Error };
-
-/// The picked triangle and point, numbered as in the whole scene, hidden objects included.
-struct Pick {
-    uint32_t object = 0;    ///< instance of the opened scene
-    uint64_t triangle = 0;  ///< of the opened scene
-    Vec3 point{0.0};
-
-    bool operator==(const Pick&) const = default;
-};
-
-/// Where a stepped view stands in its frame's replay.
-struct ShownStep {
-    int view = 0;    ///< whose culling is stepped; its observers show the same
-    LogPlace place;  ///< in `frame`
-    size_t step = 0, count = 0;
-    ViewFramePointer frame;  ///< the whole one, recorded
-    SubjectShape shape;      ///< of the entry in hand
-
-    [[nodiscard]] bool operator==(const ShownStep& other) const {
-        return view == other.view && place == other.place && step == other.step && frame == other.frame;
-    }
-};
-
-/// A group of what a strategy built, such as a node of its tree, that was chosen to be marked in the views that cull with it.
-struct ChosenGroup {
-    BuiltStrategyPointer strategy;
-    uint32_t number = 0;  ///< SnapshotNode::number
-    SubjectShape shape;
-
-    [[nodiscard]] bool operator==(const ChosenGroup& other) const { return strategy == other.strategy && number == other.number; }
-};
 
 /// The document of the desktop: the scene, the camera that the linked views share, the setups of all views, their pictures and
 /// metrics. Does not depend on widgets. Views are numbered from 0; a view that is not shown keeps its setup.

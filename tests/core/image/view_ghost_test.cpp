@@ -1,5 +1,6 @@
 // Ghosts of whole objects, and back sides in a colour of their own.
 #include "core/image/view_picture.h"
+#include "tests/core/image/shown_picture.h"
 #include "tests/support/culler.h"
 #include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
@@ -7,30 +8,6 @@
 
 namespace cullscope::test::view_ghost_test {
 namespace {
-
-const DrawStyle kLight{Vec3f(1.0f), 1.0f, Vec3f(0.2f)};
-
-struct Shown {
-    std::vector<uint8_t> colour;
-    std::vector<float> depth;
-    Viewport size;
-
-    [[nodiscard]] Vec3f at(int x, int y) const {
-        const uint8_t* pixel = &colour[4 * (size_t(y) * size_t(size.width) + size_t(x))];
-        return Vec3f(pixel[0], pixel[1], pixel[2]) / 255.0f;
-    }
-};
-
-Shown shown(const ScenePointer& scene, const char* id, const View& culling, const View& viewing, const ViewLook& look,
-            const DrawStyle& style) {
-    const SceneBuffers buffers(scene, Upload::Vbo);
-    const CullerPointer strategy = makeCuller(id);
-    strategy->build(*scene);
-    const Culled frame = strategy->cull(culling, Recording::Off, &GlEnvironment::renderer());
-    Framebuffer target(viewing.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy->built(), frame.log, viewing, nullptr, look, style, target);
-    return {target.readColour(), target.readDepth(), viewing.viewport()};
-}
 
 /// A square at z = −10 whose front side faces the origin, or its back.
 MeshPointer square(bool facing) {

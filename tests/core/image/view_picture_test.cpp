@@ -2,76 +2,13 @@
 
 #include "core/gpu/colour.h"
 #include "core/mesh/parametric.h"
+#include "tests/core/image/shown_picture.h"
 #include "tests/support/culler.h"
-#include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/grouped_frustum.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::view_picture_test {
 namespace {
-
-const DrawStyle kLight{Vec3f(1.0f), 1.0f, Vec3f(0.2f)};
-
-/// At the origin, looking down −z; a square of half size 1 at z = −10 is 10 pixels wide in a picture of 100.
-Camera downMinusZ() { return {Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}; }
-
-/// The result of drawViewPicture for one strategy, including the cull.
-struct Shown {
-    std::vector<uint8_t> colour;
-    std::vector<float> depth;
-    Viewport size;
-
-    [[nodiscard]] Vec3f at(int x, int y) const {
-        const uint8_t* pixel = &colour[4 * (size_t(y) * size_t(size.width) + size_t(x))];
-        return Vec3f(pixel[0], pixel[1], pixel[2]) / 255.0f;
-    }
-    /// The position of a world point in pixels.
-    [[nodiscard]] static std::pair<int, int> pixelOf(const View& view, const Vec3& point) {
-        const Vec4 clip = view.clipFromEyeRelative() * Vec4(point - view.eye(), 1.0);
-        return {int(std::floor((clip.x / clip.w + 1) / 2 * view.viewport().width)),
-                int(std::floor((clip.y / clip.w + 1) / 2 * view.viewport().height))};
-    }
-    /// Whether a colour occurs in the 3 × 3 pixels around a world point.
-    [[nodiscard]] bool near(const View& view, const Vec3& point, const Vec3f& wanted) const {
-        const auto [x, y] = pixelOf(view, point);
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const int px = x + dx, py = y + dy;
-                if (px >= 0 && py >= 0 && px < size.width && py < size.height && glm::distance(at(px, py), wanted) < 0.01f)
-                    return true;
-            }
-        return false;
-    }
-    [[nodiscard]] size_t count(const Vec3f& wanted) const {
-        size_t pixels = 0;
-        for (int y = 0; y < size.height; ++y)
-            for (int x = 0; x < size.width; ++x) pixels += glm::distance(at(x, y), wanted) < 0.01f ? 1 : 0;
-        return pixels;
-    }
-};
-
-Shown shown(const ScenePointer& scene, const char* id, const View& culling, const View& viewing, const ViewLook& look,
-            const DrawStyle& style = {}, const TriangleStates* known = nullptr) {
-    const SceneBuffers buffers(scene, Upload::Vbo);
-    const CullerPointer strategy = makeCuller(id);
-    strategy->build(*scene);
-    const Culled frame =
-        strategy->cull(culling, needsDecisions(look) ? Recording::On : Recording::Off, &GlEnvironment::renderer());
-    Framebuffer target(viewing.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy->built(), frame.log, viewing, known, look, style, target);
-    return {target.readColour(), target.readDepth(), viewing.viewport()};
-}
-
-ScenePointer field(int n) {
-    std::vector<Mat4> places;
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j) places.push_back(translation({(i - (n - 1) / 2.0) * 2.5, 0, (j - (n - 1) / 2.0) * 2.5}));
-    return copiesOf(sphereMesh(320), places);
-}
-
-Camera inTheField() { return {{0, .5, 4}, {.5, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100}; }
-Camera above() { return {{3, 18, 22}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 1, 100}; }
 
 TEST(ViewPicture, defaultLookIsTheRenderers) {
     const ScenePointer scene = field(6);
@@ -236,92 +173,6 @@ TEST(ViewPicture, observerColoursByTheCullingCamera) {
     }
     EXPECT_GT(culled, 5u);
     EXPECT_LT(culled, 31u);
-}
-
-TEST(ViewPicture, everyObjectHasItsBox) {
-    const ScenePointer scene = field(45);
-    const View culling(inTheField(), {320, 240});
-    Camera camera = above();
-    camera.eye = {0, 150, 1};
-    camera.farDistance = 1000;
-    const View observer(camera, {900, 900});
-    const auto palette = verdictPalette(kLight.background);
-    const Shown look = shown(scene, "frustum", culling, observer, {"boxes"}, kLight);
-    const CullerPointer frustum = makeCuller("frustum");
-    frustum->build(*scene);
-    const Culled frame = frustum->cull(culling, Recording::On);
-    const StructureSnapshot snapshot = frustum->snapshot(frame.log);
-    ASSERT_GT(snapshot.nodes.size(), 2000u);
-    size_t culled = 0;
-    for (const SnapshotNode& node : snapshot.nodes) {
-        // The middles of the four upper edges, which the observer sees from above.
-        const Vec3f colour = palette[size_t(node.culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
-        const Vec3 centre = node.box.centre(), half = node.box.halfExtent();
-        for (const Vec3& edge : {Vec3(1, 1, 0), Vec3(-1, 1, 0), Vec3(0, 1, 1), Vec3(0, 1, -1)})
-            ASSERT_TRUE(look.near(observer, centre + half * edge, colour)) << "instance " << node.instance;
-        culled += node.culled ? 1 : 0;
-    }
-    EXPECT_GT(culled, 1000u);
-    EXPECT_LT(culled, 2025u);
-}
-
-TEST(ViewPicture, testedGroupsHaveTheirBoxes) {
-    const ScenePointer scene = field(20);
-    const View culling(inTheField(), {320, 240});
-    Camera camera = above();
-    camera.eye = {0, 70, 1};
-    camera.farDistance = 1000;
-    const View observer(camera, {900, 900});
-    const SceneBuffers buffers(scene, Upload::Vbo);
-    GroupedCuller strategy;
-    strategy.build(*scene);
-    const Culled frame = strategy.cull(culling, Recording::On);
-    Framebuffer target(observer.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy.built(), frame.log, observer, nullptr, {"boxes"}, kLight,
-                    target);
-    const Shown look{target.readColour(), target.readDepth(), observer.viewport()};
-    std::array<int, 2> seen{};
-    for (const VisitedGroup& group : visitedGroups(frame.log)) {
-        const bool culled = group.containment == Containment::Outside;
-        const auto colour =
-            verdictPalette(kLight.background)[size_t(culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
-        // Between the first object and the second along the upper edge, where only groups have lines; of nested groups the inner
-        // one's line is visible.
-        const InstanceOctree::Node& node = strategy.octree().nodes()[group.node];
-        if (node.box.max.x - node.box.min.x < 4 || (group.containment == Containment::Straddles && !node.leaf())) continue;
-        EXPECT_TRUE(look.near(observer, {node.box.min.x + 2.25, node.box.max.y, node.box.max.z}, colour)) << group.node;
-        ++seen[culled ? 1 : 0];
-    }
-    EXPECT_GT(seen[0], 3);
-    EXPECT_GT(seen[1], 3);
-}
-
-TEST(ViewPicture, frustumIsWhereTheCameraLooks) {
-    // A scene of one small sphere, so that nothing hides the lines; the far plane is cut to it.
-    const ScenePointer scene = sceneOf({sphereMesh(80)}, {translation({0, 0, -8}) * scaling(Vec3(.2))});
-    Camera camera = downMinusZ();
-    camera.nearDistance = 2;
-    camera.farDistance = 1e6;
-    const View culling(camera, {200, 200});
-    const View observer({{25, 9, -4}, {0, 0, -4}, {0, 1, 0}, Angle::fromDegrees(70), 0.1, 26}, {400, 400});
-    for (const DrawStyle& style : {kLight, DrawStyle{}}) {
-        const Shown look = shown(scene, "frustum", culling, observer, {"frustum"}, style);
-        const Vec3f lines = contrastTo(style.background);
-        const double far = -scene->bounds().min.z;
-        for (const double side : {-1.0, 1.0})
-            for (const double t : {0.0, 0.3, 0.7, 1.0}) {
-                EXPECT_TRUE(look.near(observer, {side * 2, (2 * t - 1) * 2, -2}, lines)) << "near rectangle";
-                EXPECT_TRUE(look.near(observer, {(2 * t - 1) * far, side * far, -far}, lines)) << "far rectangle";
-                const double depth = 2 + t * (far - 2);
-                EXPECT_TRUE(look.near(observer, {side * depth, depth, -depth}, lines)) << "edge at " << depth;
-                EXPECT_TRUE(look.near(observer, {side * depth, -depth, -depth}, lines)) << "edge at " << depth;
-            }
-        EXPECT_TRUE(look.near(observer, culling.eye(), lines)) << "the eye";
-        EXPECT_FALSE(look.near(observer, {0, 0, -12}, lines));
-        // Beyond the observer's far plane; seen from its own camera the frustum has no lines.
-        EXPECT_EQ(shown(scene, "frustum", culling, culling, {"frustum"}, style).colour,
-                  shown(scene, "frustum", culling, culling, {}, style).colour);
-    }
 }
 
 /// Numbers are multiples of 2^-20, so that moving all of them is exact.

@@ -1,63 +1,17 @@
 // The painter's order: of scenes whose order is known, by each of Newell's tests, and with what waits for itself cut.
-#include "core/spatial/painters_order.h"
-
 #include <gmock/gmock.h>
 
 #include <set>
 
+#include "tests/core/spatial/ordered_scene.h"
 #include "tests/support/cut_scenes.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/ordered_samples.h"
-#include "tests/support/stopped_work.h"
 
 namespace cullscope::test::painters_order_test {
 namespace {
 
 using testing::ElementsAre;
-
-View front(Viewport size = {100, 100}) { return {{{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, size}; }
-
-struct Ordered {
-    std::vector<uint32_t> triangles;  ///< far to near
-    PaintersOrder order;
-    std::vector<NewellStep> steps;
-    std::vector<double> shares;              ///< of each scene triangle's area, summed over its polygons
-    std::vector<std::vector<Vec3>> corners;  ///< of the polygons in their order, relative to the eye
-
-    [[nodiscard]] uint64_t count(NewellTest test) const { return order.tests[size_t(test)]; }
-    /// Of all comparisons.
-    [[nodiscard]] uint64_t comparisons() const {
-        uint64_t sum = 0;
-        for (const uint64_t tests : order.tests) sum += tests;
-        return sum;
-    }
-};
-
-Ordered ordered(const ScenePointer& scene, PaintersOptions options = {}, const View& view = front()) {
-    CutTriangles triangles(*scene);
-    Ordered result;
-    options.watch = [&](const NewellStep& step) { result.steps.push_back(step); };
-    result.order = paintersOrder(triangles, *scene, view, options);
-    triangles.finish();
-    result.shares.assign(scene->triangleCount(), 0.0);
-    for (const uint32_t polygon : result.order.polygons) {
-        const uint32_t triangle = triangles.polygons()[polygon].triangle;
-        result.triangles.push_back(triangle);
-        result.shares[triangle] += triangles.share(polygon);
-        for (std::vector<Vec3>& corners = result.corners.emplace_back(); const auto& corner : triangles.cornersOf(polygon))
-            corners.push_back(triangles.position(corner.vertex) - view.eye());
-    }
-    return result;
-}
-
-/// Triangles 0, 1, … of three corners each.
-ScenePointer sceneWith(std::vector<Vec3f> corners) { return sceneOf({soupMesh(std::move(corners))}); }
-
-ScenePointer layers(std::vector<float> heights) {
-    std::vector<Vec3f> corners;
-    for (const float z : heights) corners.insert(corners.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
-    return sceneWith(std::move(corners));
-}
 
 TEST(PaintersOrder, layersComeFromFarToNear) {
     EXPECT_THAT(ordered(layers({0.5f, -2, 1, -1, 0})).triangles, ElementsAre(1, 3, 4, 0, 2));
@@ -228,54 +182,6 @@ TEST(PaintersOrder, centroidsAloneAreSortedByTheirDistance) {
     EXPECT_EQ(result.comparisons(), 0u);
 }
 
-TEST(PaintersOrder, limitCountsWholeTrianglesAndStopsWithASentence) {
-    const auto refusal = [](const ScenePointer& scene, uint64_t limit, bool byCentroid = false) -> std::string {
-        try {
-            return "ordered: " + std::to_string(ordered(scene, {.byCentroid = byCentroid, .limit = limit}).triangles.size());
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::Usage);
-            return error.what();
-        }
-    };
-    EXPECT_NE(refusal(layers({0, 1, 2}), 2).find("it has 3 triangles. Take fewer triangles, or a higher limit."),
-              std::string::npos)
-        << "no other way of sorting helps";
-    EXPECT_EQ(refusal(layers({0, 1, 2}), 2, true), refusal(layers({0, 1, 2}), 2));
-    EXPECT_EQ(refusal(layers({0, 1, 2}), 3), "ordered: 3");
-    const ScenePointer meeting = sceneOf({randomTriangles(1, 300, 2.0)});
-    EXPECT_NE(refusal(meeting, 1'000).find("more than 1000 polygons"), std::string::npos);
-    EXPECT_NE(refusal(meeting, 1'000).find("sort=centroid"), std::string::npos);
-    EXPECT_EQ(refusal(meeting, 1'000, true), "ordered: 300") << "what the sentence advises helps";
-}
-
-TEST(PaintersOrder, stopsAtTheNextLookWhereverTheSortIs) {
-    const ScenePointer scenes[] = {sceneOf({randomTriangles(1, 2'000, 2.0)}), coplanarTriangles(howMany(1'000'000, 60'000))};
-    for (const ScenePointer& scene : scenes) {
-        CutTriangles triangles(*scene);
-        const auto order = [&](const Progress& progress) {
-            CutTriangles copy = triangles;
-            (void)paintersOrder(copy, *scene, front({320, 240}), {.limit = 100'000'000}, progress);
-        };
-        for (const uint64_t steps : {10'000, 100'000, 150'000}) {
-            const StoppedWork stopped = stoppedAfter(steps, order);
-            EXPECT_TRUE(stopped.interrupted) << steps;
-            EXPECT_GE(stopped.stepsBefore, steps);
-            EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
-        }
-    }
-}
-
-TEST(PaintersOrder, millionCoplanarTrianglesAreSortedWithALookInEveryTenthOfASecond) {
-    const ScenePointer scene = coplanarTriangles(howMany(1'000'000, 60'000));
-    CutTriangles triangles(*scene);
-    const WatchedWork watched;
-    const PaintersOrder order = paintersOrder(triangles, *scene, front({320, 240}), {});
-    EXPECT_LT(watched.longestGap(), fewSamples() ? 1000.0 : 100.0);
-    EXPECT_GT(watched.steps(), scene->triangleCount());
-    EXPECT_EQ(order.polygons.size(), scene->triangleCount());
-    EXPECT_EQ(triangles.cuts(), 0u);
-}
-
 TEST(PaintersOrder, everyComparisonIsWatchedFromItsFirstTestToTheOneThatEndsIt) {
     for (uint64_t seed = 0; seed < 12; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -316,16 +222,6 @@ TEST(PaintersOrder, nearestPolygonIsDrawnLastAtEverySample) {
             EXPECT_EQ(wrongSamples(result.corners, front({40, 30})), 0u);
             for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
         }
-    }
-}
-
-TEST(PaintersOrder, limitRefusesTheFirstCutThatIsTooMany) {
-    const ScenePointer piercing = sceneWith({{-1, -1, -1}, {1, -1, 1}, {0, 1, 0}, {-1, -1, 1}, {1, -1, -1}, {0, 1, 0}});
-    try {
-        (void)ordered(piercing, {.limit = 2});
-        FAIL() << "a cut makes a third polygon";
-    } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("were cut 0 times"), std::string::npos) << error.what();
     }
 }
 
