@@ -88,17 +88,18 @@ std::optional<StrategyRequest> with(const StrategyRequest& request, const std::s
     return other;
 }
 
-std::optional<Promise> promiseOf(const StrategyRequest& request, const ScenePointer& scene, StructureStore& structures) {
+/// Null where it is refused: that is found where it is drawn.
+BuiltStrategyPointer builtUnlessRefused(const StrategyRequest& request, const ScenePointer& scene, StructureStore& structures) {
     try {
-        return buildStrategy(strategyOf(request), request.parameters, scene, structures)->promise();
+        return buildStrategy(strategyOf(request), request.parameters, scene, structures);
     } catch (const Error&) {
-        return std::nullopt;  // what it refuses is found where it is drawn
+        return nullptr;
     }
 }
 
 void addVariants(std::vector<StrategyRequest>& requests, const StrategyRequest& usual, const ScenePointer& scene) {
     StructureStore structures;
-    std::optional<Promise> promise;
+    BuiltStrategyPointer built;  // kept for the variants, which cull with the same structure
     for (const ParameterDeclaration& parameter : usual.parameters.declarations()) {
         const auto add = [&](const ParameterValue& value) {
             if (auto other = with(usual, parameter.key, value)) requests.push_back(std::move(*other));
@@ -111,9 +112,10 @@ void addVariants(std::vector<StrategyRequest>& requests, const StrategyRequest& 
                                                                     : ParameterValue(parameter.minimum);
         auto other = with(usual, parameter.key, least);
         if (!other) continue;
-        if (!promise) promise = promiseOf(usual, scene, structures);
-        if (promise != Promise::Approximate) continue;
-        if (promiseOf(*other, scene, structures) != Promise::Approximate) requests.push_back(std::move(*other));
+        if (!built) built = builtUnlessRefused(usual, scene, structures);
+        if (!built || built->promise() != Promise::Approximate) continue;
+        const BuiltStrategyPointer variant = builtUnlessRefused(*other, scene, structures);
+        if (!variant || variant->promise() != Promise::Approximate) requests.push_back(std::move(*other));
     }
 }
 
@@ -151,12 +153,15 @@ Findings onTheScene(const Bench& bench, const StabilityCase& which, const SceneP
     Findings findings;
     Truths truths(bench, scene);
     StructureStore structures;
+    std::vector<BuiltStrategyPointer> ofOneStrategy;  // variants that cull with the same structure follow each other
     uint64_t covered = 0;
     for (size_t i = 0; i < requests.size(); ++i) {
+        if (i > 0 && requests[i].id != requests[i - 1].id) ofOneStrategy.clear();
         bench.progress.tell(double(i) / double(requests.size()), which.title);
         try {
             const BuiltStrategyPointer strategy =
                 buildStrategy(strategyOf(requests[i]), requests[i].parameters, scene, structures, {nullptr, bench.progress.stop});
+            ofOneStrategy.push_back(strategy);
             const Losses losses = lossesOf(bench, *strategy, which, truths);
             covered = std::max(covered, losses.covered);
             findings.push_back(findingOf(requests[i], losses));

@@ -2,6 +2,7 @@
 #include <QHeaderView>
 #include <QTreeView>
 
+#include "tests/support/long_mode.h"
 #include "tests/ui/lesson_window.h"
 #include "tests/ui/looks/kept_picture.h"
 #include "tests/ui/looks/shown_texts.h"
@@ -45,9 +46,11 @@ TEST_F(Lessons, nothingIsCutInAnyLanguageAndTheLectureHasNoSmallLetters) {
                             if (!tree->isColumnHidden(column) && needed > tree->header()->sectionSize(column)) cut << title;
                         }
                     EXPECT_EQ(cut, QStringList()) << where;
-                    lecture->grab().save(
-                        writtenPicturesFolder() +
-                        QStringLiteral("/lesson-%1-%2-%3-%4.png").arg(name).arg(step + 1).arg(known.id).arg(size.height()));
+                    // 400 pictures to look at take longer than all that is checked.
+                    if (test::longMode())
+                        lecture->grab().save(
+                            writtenPicturesFolder() +
+                            QStringLiteral("/lesson-%1-%2-%3-%4.png").arg(name).arg(step + 1).arg(known.id).arg(size.height()));
                     for (const ShownText& text : shownTexts(*lecture))
                         if (text.painted)
                             EXPECT_GE(QFontInfo(text.font).pixelSize(), kSmallest)
