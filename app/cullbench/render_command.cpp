@@ -15,6 +15,7 @@
 #include "core/image/cell_map_picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/picture_metadata.h"
+#include "core/measure/accuracy.h"
 #include "core/visibility/subject_shape.h"
 
 namespace cullscope::cullbench {
@@ -110,7 +111,6 @@ struct Drawn {
 /// Replays a frame, with its overlays.
 Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
                   const View& viewing, const OverlayChoice& choice, const DrawStyle& style) {
-    const Scene& scene = buffers.scene();
     Drawn drawn;
     requireOverlays(choice, strategy, log);
     if (choice.needsDecisions()) drawn.line = strategy.frameLine(log);
@@ -122,10 +122,7 @@ Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltSt
     }
     Framebuffer target(viewing.viewport());
     const bool verdicts = choice.look.has(Show::Kind::Verdicts);
-    if (verdicts) {
-        const Reference truth = itemBufferReference(renderer, buffers, View(log.camera, log.size), strategy.referenceFacing());
-        drawn.states = triangleStates(scene, log, truth.visible());
-    }
+    if (verdicts) drawn.states = judgedStates(renderer, buffers, log, strategy.referenceFacing());
     drawViewPicture(renderer, buffers, strategy, log, viewing, verdicts ? &drawn.states : nullptr, choice.look, style, target);
     drawn.rgba = target.readColour();
     return drawn;

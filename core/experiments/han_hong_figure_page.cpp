@@ -8,7 +8,7 @@
 #include "core/gpu/colour.h"
 #include "core/gpu/gpu_frame.h"
 #include "core/image/cell_map_page.h"
-#include "core/measure/reference.h"
+#include "core/measure/accuracy.h"
 #include "core/scene/camera_path.h"
 
 namespace cullscope::han_hong {
@@ -84,11 +84,7 @@ void FigurePage::requireBands(const FrameLog& log) const {
 std::vector<uint8_t> FigurePage::drawn(const FrameLog& log, const View& viewing, const ViewLook& look, const Overlays& more) {
     Framebuffer target(viewing.viewport());
     std::optional<TriangleStates> states;
-    if (look.has(Show::Kind::Verdicts)) {
-        const Reference truth =
-            itemBufferReference(m_renderer, m_buffers, View(log.camera, log.size), m_strategy->referenceFacing());
-        states = triangleStates(scene(), log, truth.visible());
-    }
+    if (look.has(Show::Kind::Verdicts)) states = judgedStates(m_renderer, m_buffers, log, m_strategy->referenceFacing());
     drawViewPicture(m_renderer, m_buffers, *m_strategy, log, viewing, states ? &*states : nullptr, look, m_style, target);
     if (more) {
         const OverlayContext context{scene(), viewing, m_style, verdictPalette(m_style.background),

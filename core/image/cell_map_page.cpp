@@ -81,9 +81,9 @@ PageSign signOf(MapSymbol symbol, const Vec3f& background) {
         case MapSymbol::Circle:
             return {PageSign::Shape::Line, contrast, 1.0};
         case MapSymbol::Start:
-            return {PageSign::Shape::Ring, contrast, 2.0};
-        case MapSymbol::End:
             return {PageSign::Shape::Dot, contrast};
+        case MapSymbol::End:
+            return {PageSign::Shape::Ring, contrast, 2.0};
         case MapSymbol::Horizon:
             return {PageSign::Shape::Line, kRegionRed, 2.0};
     }

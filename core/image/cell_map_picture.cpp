@@ -184,14 +184,14 @@ void CellMapPainter::paintCircles(const MapCircles& circles) {
     }
 }
 
-/// Marks where an axis starts (ring) and, opposite, where it ends (dot).
+/// Marks where an axis starts (dot) and, opposite, where it ends (ring), as the desktop's map does.
 void CellMapPainter::axisMarks(const Vec3& axis) {
     m_canvas.clipTo(m_area);
     const Vec2 start = place(mapAngles(axis)), end = place(mapAngles(-axis));
-    m_canvas.ring(start, kMapMark * unit(), {m_style.background, (kStrong + 2.0 * kMapCasing) * unit()});
-    m_canvas.ring(start, kMapMark * unit(), {m_contrast, kStrong * unit()});
-    m_canvas.dot(end, (kMapMark + kMapCasing) * unit(), m_style.background);
-    m_canvas.dot(end, kMapMark * unit(), m_contrast);
+    m_canvas.dot(start, (kMapMark + kMapCasing) * unit(), m_style.background);
+    m_canvas.dot(start, kMapMark * unit(), m_contrast);
+    m_canvas.ring(end, kMapMark * unit(), {m_style.background, (kStrong + 2.0 * kMapCasing) * unit()});
+    m_canvas.ring(end, kMapMark * unit(), {m_contrast, kStrong * unit()});
 }
 
 void CellMapPainter::paintOutlines() {

@@ -202,20 +202,53 @@ std::vector<TriangleState> coarseStates(const Scene& scene, const Scene& coarse,
     return byObject;
 }
 
-void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
-                       const FrameLog& log, std::span<const TriangleState> states, const View& viewing, const ViewLook& look,
-                       const DrawStyle& style, Framebuffer& target) {
-    const Scene &scene = buffers.scene(), &few = coarse.scene();
+namespace {
+
+/// The boxes of the objects whose look is their triangles' edges, in their colours.
+OverlayLines edgeBoxes(const Scene& scene, const Scene& objects, std::span<const TriangleState> states,
+                       const VerdictPalette& palette) {
+    OverlayLines boxes{{}, {kBoxLineWidth, true}};
+    for (size_t i = 0; i < scene.instances().size(); ++i) {
+        if (objects.firstTriangle(i) == objects.firstTriangle(i + 1)) continue;
+        const PaletteEntry& entry = palette[size_t(states[objects.firstTriangle(i)])];
+        if (entry.look == Look::Wireframe) addBox(boxes, scene.instanceBox(i), entry.colour * entry.shade);
+    }
+    return boxes;
+}
+
+/// The drawn objects as ranges of the merged mesh, neighbours in one.
+DrawList mergedList(const Scene& scene, const Scene& objects, const FrameLog& log) {
+    std::vector<bool> drawn(scene.instances().size(), false);
+    for (const DrawRange& range : drawnTriangles(scene, log).ranges) drawn[range.instance] = true;
+    DrawList list{Facing::TwoSided, {}};
+    for (size_t i = 0; i < drawn.size(); ++i) {
+        const auto first = uint32_t(3 * objects.firstTriangle(i)), end = uint32_t(3 * objects.firstTriangle(i + 1));
+        if (!drawn[i] || first == end) continue;
+        if (!list.ranges.empty() && list.ranges.back().firstIndex + list.ranges.back().indexCount == first)
+            list.ranges.back().indexCount = end - list.ranges.back().firstIndex;
+        else
+            list.ranges.push_back({0, first, end - first});
+    }
+    return list;
+}
+
+}  // namespace
+
+void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const CoarseBuffers& coarse,
+                       const BuiltStrategy& strategy, const FrameLog& log, std::span<const TriangleState> states,
+                       const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target) {
+    const Scene& scene = buffers.scene();
     if (look.has(Show::Kind::Verdicts)) {
-        const VerdictPalette palette = verdictPalette(style.background);
-        renderer.drawByState(coarse, viewing, Facing::TwoSided, bytes(states),
-                             look.has(Show::Kind::Left) ? palette : drawnOnly(palette), target, style);
+        VerdictPalette palette = verdictPalette(style.background);
+        if (!look.has(Show::Kind::Left)) palette = drawnOnly(palette);
+        // Edges take a software OpenGL several times as long as surfaces.
+        const OverlayLines boxes = edgeBoxes(scene, *coarse.objects, states, palette);
+        for (PaletteEntry& entry : palette)
+            if (entry.look == Look::Wireframe) entry.look = Look::Absent;
+        renderer.drawByState(*coarse.merged, viewing, Facing::TwoSided, bytes(states), palette, target, style);
+        if (!look.has(Show::Kind::Boxes)) drawOverlay(renderer, viewing, boxes, style, target);
     } else {
-        std::vector<bool> drawn(scene.instances().size(), false);
-        for (const DrawRange& range : drawnTriangles(scene, log).ranges) drawn[range.instance] = true;
-        DrawList list = everything(few, Facing::TwoSided);
-        std::erase_if(list.ranges, [&](const DrawRange& range) { return !drawn[range.instance]; });
-        renderer.draw(coarse, viewing, list, target, style);
+        renderer.draw(*coarse.merged, viewing, mergedList(scene, *coarse.objects, log), target, style);
     }
     drawViewOverlays(renderer, scene, strategy, log, viewing, look, style, target);
 }

@@ -78,14 +78,23 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
 void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrategy& strategy, const FrameLog& log,
                       const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target);
 
-/// The states of a coarse scene's triangles (scene/coarse_scene.h) in a frame of the scene whose objects it has: by object, and
+/// A coarse scene for pictures (scene/coarse_scene.h): the objects of the scene that it stands for, and all of their triangles
+/// in one mesh, uploaded.
+struct CoarseBuffers {
+    ScenePointer objects;
+    std::shared_ptr<const SceneBuffers> merged;
+};
+using CoarseBuffersPointer = std::shared_ptr<const CoarseBuffers>;
+
+/// The states of a coarse scene's triangles in a frame of the scene whose objects it has: by object, and
 /// without the truth. An object of which anything is drawn is drawn; any other one has the state of its first triangle.
 [[nodiscard]] std::vector<TriangleState> coarseStates(const Scene& scene, const Scene& coarse, const FrameLog& log);
 
 /// A picture of a frame by a coarse scene of the same objects: those of which the frame draws anything, in whole, and with the
-/// same overlays. `states`: coarseStates of that frame.
-void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const SceneBuffers& coarse, const BuiltStrategy& strategy,
-                       const FrameLog& log, std::span<const TriangleState> states, const View& viewing, const ViewLook& look,
-                       const DrawStyle& style, Framebuffer& target);
+/// same overlays. Of an object that a whole picture shows by the edges of its triangles there is the box alone. `states`:
+/// coarseStates of that frame.
+void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const CoarseBuffers& coarse,
+                       const BuiltStrategy& strategy, const FrameLog& log, std::span<const TriangleState> states,
+                       const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target);
 
 }  // namespace cullscope

@@ -239,18 +239,22 @@ bool planesMeetAt(const Scene& scene, const View& view, uint64_t one, uint64_t o
 /// Whether the raster's snapping, or the rounding of two depths to float, explains that a triangle is shown at a pixel, or is
 /// not; `gap` is its depth beside the other's, `depth` the larger of them. `other`: the scene's triangle there in the other
 /// picture, counted from 1; 0: none, or not known.
-bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint32_t other, size_t pixel, double gap,
+bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint32_t other, const Vec2& centre, double gap,
                       double depth) {
     if (gap <= kTwoRoundings * depth) return true;
-    const auto width = static_cast<size_t>(view.viewport().width);
     const RasterTriangle triangle = rasterised(scene, view, item - 1);
-    const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
     if (triangle.count > 0 && (distanceToEdges(triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(triangle)))
         return true;
     if (other == 0) return false;
     const RasterTriangle before = rasterised(scene, view, other - 1);
     return (before.count > 0 && distanceToEdges(before, centre) <= kNearAnEdge) ||
            planesMeetAt(scene, view, item - 1, other - 1, centre);
+}
+
+/// The centre of a tile's pixel in the whole picture.
+Vec2 centreOf(size_t pixel, const PictureTile& tile) {
+    const auto width = static_cast<size_t>(tile.size.width);
+    return {double(tile.x) + double(pixel % width) + 0.5, double(tile.y) + double(pixel / width) + 0.5};
 }
 
 /// What a picture shows at a pixel as a triangle of the scene, counted from 1; 0: nothing, not known, or surfaces in place of the
@@ -261,15 +265,27 @@ uint32_t sceneTriangleAt(const ShownPixels& shown, size_t pixel) {
 
 }  // namespace
 
-uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
-    uint64_t beyond = 0;
+PixelLosses lossesBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view,
+                                 const std::optional<PictureTile>& tile) {
+    const PictureTile part = tile.value_or(PictureTile{0, 0, view.viewport()});
+    PixelLosses lost;
     for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Missed || reference.triangle[pixel] == 0) continue;
         const double gap = double(reference.depth[pixel]) - double(shown.depth[pixel]);
         const uint32_t other = sceneTriangleAt(shown, pixel);
-        if (!snappingExplains(scene, view, reference.triangle[pixel], other, pixel, gap, reference.depth[pixel])) ++beyond;
+        const Vec2 centre = centreOf(pixel, part);
+        if (snappingExplains(scene, view, reference.triangle[pixel], other, centre, gap, reference.depth[pixel])) continue;
+        ++lost.pixels;
+        lost.triangles.push_back(reference.triangle[pixel] - 1);
     }
-    return beyond;
+    std::ranges::sort(lost.triangles);
+    const auto rest = std::ranges::unique(lost.triangles);
+    lost.triangles.erase(rest.begin(), rest.end());
+    return lost;
+}
+
+uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
+    return lossesBeyondSnapping(reference, shown, scene, view).pixels;
 }
 
 uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
@@ -278,7 +294,8 @@ uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& show
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Extra || shown.triangle[pixel] == 0) continue;
         const double gap = double(shown.depth[pixel]) - double(reference.depth[pixel]);
         const uint32_t other = shown.objects ? 0 : reference.triangle[pixel];
-        if (!snappingExplains(scene, view, shown.triangle[pixel], other, pixel, gap, shown.depth[pixel])) ++beyond;
+        const Vec2 centre = centreOf(pixel, {0, 0, view.viewport()});
+        if (!snappingExplains(scene, view, shown.triangle[pixel], other, centre, gap, shown.depth[pixel])) ++beyond;
     }
     return beyond;
 }
@@ -290,9 +307,20 @@ JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLo
     judged.shown = shownPixels(renderer, buffers, log, target);
     judged.accuracy = compare(reference, judged.shown, drawnTriangles(scene, log), scene);
     judged.ownRaster = !log.drawsScene();
-    if (judged.ownRaster || log.facing != reference.facing)
-        judged.missedBeyondSnapping = missedBeyondSnapping(reference, judged.shown, scene, View(log.camera, log.size));
+    if (!snappingMayExplain(log, reference.facing)) return judged;
+    PixelLosses lost = lossesBeyondSnapping(reference, judged.shown, scene, View(log.camera, log.size));
+    judged.missedBeyondSnapping = lost.pixels;
+    judged.lostTriangles = std::move(lost.triangles);
     return judged;
+}
+
+bool snappingMayExplain(const FrameLog& log, Facing truth) { return !log.drawsScene() || log.facing != truth; }
+
+TriangleStates judgedStates(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Facing truth) {
+    const Reference reference = itemBufferReference(renderer, buffers, View(log.camera, log.size), truth);
+    Framebuffer target(log.size);
+    const JudgedFrame judged = judge(renderer, buffers, log, reference, target);
+    return triangleStates(buffers.scene(), log, reference.visible(), judged.lostTriangles);
 }
 
 }  // namespace cullscope

@@ -69,6 +69,14 @@ struct ShownPixels {
 /// outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
+/// Those pixels, and the scene triangles that the reference shows there, ascending, each once. `tile`: the part of the picture
+/// that reference and picture are of; left out: all of it.
+struct PixelLosses {
+    uint64_t pixels = 0;
+    std::vector<uint32_t> triangles;
+};
+[[nodiscard]] PixelLosses lossesBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
+                                               const View& view, const std::optional<PictureTile>& tile = {});
 
 /// A frame beside the truth.
 struct JudgedFrame {
@@ -78,6 +86,8 @@ struct JudgedFrame {
     /// Set where a missed pixel may be the raster's doing: with `ownRaster`, or where the reference has another facing rule than
     /// the frame. Then it is these pixels that are lost.
     std::optional<uint64_t> missedBeyondSnapping;
+    /// With it: the triangles that the truth shows at those pixels, ascending.
+    std::optional<std::vector<uint32_t>> lostTriangles;
 
     [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
 };
@@ -85,6 +95,13 @@ struct JudgedFrame {
 /// desktop's views and for cullbench.
 [[nodiscard]] JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, const Reference& reference,
                                 Framebuffer& target);
+
+/// Whether a missed pixel of a frame may be the raster's doing (JudgedFrame::missedBeyondSnapping), beside a truth of that rule.
+[[nodiscard]] bool snappingMayExplain(const FrameLog& log, Facing truth);
+
+/// The states of a frame's triangles beside the truth for its culling view, which is drawn here: those of the desktop's colours
+/// by verdict, for other pictures.
+[[nodiscard]] TriangleStates judgedStates(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Facing truth);
 
 /// The same for extra pixels: explained where the centre lies near an edge of one of both triangles, or the one that the picture
 /// shows lies before the truth by at most the depth change over 1/128 pixel, or their planes meet there. Of frames that have

@@ -33,7 +33,8 @@ ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const J
     figures.truthFacing = truth.facing;
     figures.accuracy = judged.accuracy;
     figures.missedBeyondSnapping = judged.missedBeyondSnapping;
-    figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible()));
+    figures.states =
+        std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible(), judged.lostTriangles));
     std::vector<uint8_t> missed = missedMask(truth, judged.shown);
     // Where the raster's snapping explains all of them, no object lost any.
     if (figures.lostPixels() > 0) figures.lostObjects = lostObjects(scene, truth, missed);

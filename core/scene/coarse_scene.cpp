@@ -11,6 +11,8 @@ namespace {
 
 /// With fewer triangles an object with long thin parts is not recognised.
 constexpr double kFewest = 48.0;
+constexpr uint64_t kMostMerged = 4'000'000;
+constexpr size_t kLooks = 1024;  ///< a stop request is looked at once for so many objects
 
 }  // namespace
 
@@ -26,6 +28,32 @@ ScenePointer coarseScene(const Scene& scene, uint64_t triangles, const Progress&
         meshes.push_back(shown[number] ? coarseMesh(mesh, size_t(wanted)) : mesh);
     }
     return std::make_shared<const Scene>(scene.name(), std::move(meshes), scene.instances());
+}
+
+ScenePointer mergedScene(const Scene& scene, const Progress& progress) {
+    progress.check();
+    if (scene.triangleCount() > kMostMerged) return nullptr;
+    TriangleMesh::Data data;
+    data.name = scene.name();
+    data.origin = scene.bounds().empty() ? Vec3(0.0) : 0.5 * (scene.bounds().min + scene.bounds().max);
+    data.indices.reserve(3 * scene.triangleCount());
+    for (size_t i = 0; i < scene.instances().size(); ++i) {
+        if (i % kLooks == 0) progress.check();
+        const TriangleMesh& mesh = scene.meshOf(i);
+        const Mat4& worldFromMesh = scene.instances()[i].worldFromMesh;
+        const auto turned = glm::transpose(glm::inverse(glm::dmat3(worldFromMesh)));
+        const auto first = uint32_t(data.positions.size());
+        for (size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
+            data.positions.emplace_back(Vec3(worldFromMesh * Vec4(mesh.position(vertex), 1.0)) - data.origin);
+            const Vec3 normal = turned * Vec3(mesh.normals()[vertex]);
+            const double length = glm::length(normal);
+            // A flattened object has none: any direction will do.
+            data.normals.push_back(length > 0.0 && std::isfinite(length) ? Vec3f(normal / length) : mesh.normals()[vertex]);
+        }
+        for (const uint32_t index : mesh.indices()) data.indices.push_back(first + index);
+    }
+    auto mesh = std::make_shared<const TriangleMesh>(std::move(data));
+    return std::make_shared<const Scene>(scene.name(), std::vector<MeshPointer>{mesh}, std::vector<Instance>{{}});
 }
 
 }  // namespace cullscope

@@ -10,4 +10,9 @@ namespace cullscope {
 /// pictures that may be coarse, and for nothing that is measured. Throws Error(Interrupted) on a stop request.
 [[nodiscard]] ScenePointer coarseScene(const Scene& scene, uint64_t triangles, const Progress& progress = {});
 
+/// The triangles of a scene in one mesh, in the order of their numbers: one call of OpenGL draws them, where a picture of many
+/// small objects takes longer for its calls than for its triangles. Their places are rounded to floats about the scene's centre.
+/// Null for more than four million triangles. Throws Error(Interrupted) on a stop request.
+[[nodiscard]] ScenePointer mergedScene(const Scene& scene, const Progress& progress = {});
+
 }  // namespace cullscope

@@ -169,6 +169,21 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
     return result;
 }
 
+TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const VisibleTriangles& truth,
+                              const std::optional<std::vector<uint32_t>>& lost) {
+    TriangleStates states = triangleStates(scene, log, truth);
+    if (!lost || !states.againstTruth) return states;
+    std::vector<uint32_t> counted, explained;
+    for (const uint32_t triangle : truth.triangles) {
+        const bool leftOut = states.states[triangle] == TriangleState::WronglyCulled;
+        (leftOut && !std::ranges::binary_search(*lost, triangle) ? explained : counted).push_back(triangle);
+    }
+    if (explained.empty()) return states;
+    states = triangleStates(scene, log, VisibleTriangles{counted, truth.facing});
+    states.withinSnapping = std::move(explained);
+    return states;
+}
+
 VisibleSetDifference compareVisibleSets(const TriangleStates& first, const TriangleStates& second) {
     assert(first.states.size() == second.states.size());
     VisibleSetDifference difference;

@@ -29,6 +29,8 @@ struct TriangleStates {
     /// False where no ground truth was given: then submitted triangles that are not back-facing count as Visible, and none as
     /// InVain or WronglyCulled.
     bool againstTruth = false;
+    /// Triangles that the truth shows and that were left out without the loss of a pixel, ascending (see `lost` below).
+    std::vector<uint32_t> withinSnapping{};
 };
 
 /// The states of all triangles in a recorded frame of the scene. With `truth` (none: not known) for its culling view, V is its
@@ -40,6 +42,11 @@ struct TriangleStates {
 /// was decided.
 [[nodiscard]] TriangleStates triangleStates(const Scene& scene, const FrameLog& log,
                                             const std::optional<VisibleTriangles>& truth);
+/// The same where it is known which triangles lost a pixel (`lost`: ascending; none: not known, as above). Only those are
+/// WronglyCulled. Any other one in V that was not drawn has the state that it would have without the truth: the raster's snapping
+/// explains its pixels.
+[[nodiscard]] TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const VisibleTriangles& truth,
+                                            const std::optional<std::vector<uint32_t>>& lost);
 
 /// The difference of two strategies' visible sets: triangles that are visible and drawn.
 struct VisibleSetDifference {

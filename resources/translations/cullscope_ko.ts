@@ -9339,6 +9339,10 @@ sides [95 %]</source>
         <source>cut by a plane; figures of the whole scene</source>
         <translation>평면으로 자름, 수치는 전체 장면의 것</translation>
     </message>
+    <message>
+        <source>coarse while it moves: %1 of %2 triangles, by object; what lies outside as boxes</source>
+        <translation>움직이는 동안 거칠게: 삼각형 %2개 중 %1개, 물체 단위. 절두체 밖은 상자</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>

@@ -9339,6 +9339,10 @@ sides [95 %]</source>
         <source>cut by a plane; figures of the whole scene</source>
         <translation>被平面剖切；数据为整个场景的</translation>
     </message>
+    <message>
+        <source>coarse while it moves: %1 of %2 triangles, by object; what lies outside as boxes</source>
+        <translation>移动时为粗略图像：%2 个三角形中的 %1 个，按物体；视锥体外的用包围盒</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>

@@ -116,7 +116,8 @@ Row drag(Session& session, MainWindow& window, int view, double seconds) {
         }
         done = true;
     });
-    while (!done) QApplication::processEvents(QEventLoop::AllEvents, 5);
+    // As an application does: the thread that looks for events in a loop would take a core from those that draw.
+    while (!done) QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
     hand.join();
     QApplication::processEvents();
     QMouseEvent release(QEvent::MouseButtonRelease, middle, global, Qt::LeftButton, Qt::NoButton, {});

@@ -47,7 +47,7 @@ TEST_F(Moving, aLargeSceneIsCoarseWhileItMovesAndWholeAfterwards) {
         for (const int view : session.shownViews()) session.moving()->made(view, slow);
         const ViewPicturePointer coarse = moved(7.0);
         ASSERT_TRUE(coarse->request.coarse) << id;
-        const Scene& few = coarse->request.coarse->scene();
+        const Scene& few = *coarse->request.coarse->objects;
         EXPECT_EQ(few.instances().size(), session.scene()->instances().size());
         EXPECT_LE(few.triangleCount(), 2 * MovingViews::kCoarseTriangles);
         EXPECT_TRUE(window.views().pane(0).chipText().startsWith(QStringLiteral("coarse while it moves")))

@@ -2,11 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
+#include "core/scene/scene_files.h"
 #include "tests/ui/shown_window.h"
+#include "ui/panels/empty_state.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 
@@ -131,6 +136,26 @@ TEST(FileDialog, typesHaveNamesBesideTheirPatterns) {
     const QString meshes = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 1, 1);
     EXPECT_TRUE(meshes.startsWith(QStringLiteral("Meshes (obj, "))) << meshes.toStdString();
     EXPECT_TRUE(meshes.contains(QStringLiteral(" (*.obj *.OBJ "))) << meshes.toStdString();
+}
+
+TEST(FileDialog, everyPlaceThatSaysWhatCanBeOpenedNamesAllOfIt) {
+    std::vector<std::pair<QString, QString>> places{{QStringLiteral("the dialog"), DocumentCommands::fileTypes().toUpper()}};
+    Session session(sessionOptions(true));
+    QMenu generate;
+    const EmptyState empty(session, &generate);
+    QStringList words;
+    for (const QLabel* label : empty.findChildren<QLabel*>()) words << label->text();
+    places.emplace_back(QStringLiteral("the empty window"), words.join(QLatin1Char(' ')));
+    for (const Language::Known& language : Language::known()) {
+        QFile page(QStringLiteral(":/resources/help/help.%1.md").arg(language.id));
+        ASSERT_TRUE(page.open(QIODevice::ReadOnly));
+        places.emplace_back(language.id, QString::fromUtf8(page.readAll()).section(QStringLiteral("\n2. "), 0, 0).toUpper());
+    }
+    EXPECT_GE(readableSceneExtensions().size(), 7u);
+    for (const auto& [place, text] : places)
+        for (const std::string& extension : readableSceneExtensions())
+            EXPECT_TRUE(text.contains(QString::fromStdString(extension).toUpper()))
+                << place.toStdString() << " does not name " << extension;
 }
 
 TEST(StartSize, theWindowFitsTheScreenWithItsFrame) {

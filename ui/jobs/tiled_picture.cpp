@@ -1,7 +1,7 @@
 #include "ui/jobs/tiled_picture.h"
 
 #include "core/image/picture_file.h"
-#include "core/measure/reference.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
@@ -39,9 +39,18 @@ bool TiledPicture::drawNext(FramesBeside& frames, Renderer& renderer) {
 
 void TiledPicture::findVisible(Renderer& renderer, const PictureTile& tile) {
     const View culling(m_request.culling, m_request.cullingSize);
-    const DrawList all = everything(m_request.buffers->scene(), m_request.strategy->referenceFacing());
-    for (const uint32_t item : renderer.drawItemBuffer(*m_request.buffers, culling, all, tile).triangle)
+    const Scene& scene = m_request.buffers->scene();
+    const Facing facing = m_request.strategy->referenceFacing();
+    Renderer::ItemBuffer truth = renderer.drawItemBuffer(*m_request.buffers, culling, everything(scene, facing), tile);
+    for (const uint32_t item : truth.triangle)
         if (item != 0) m_visible[item - 1] = true;
+    if (!snappingMayExplain(m_frame->log, facing)) return;
+    Framebuffer target(tile);
+    Reference part;
+    part.depth = std::move(truth.depth);
+    part.triangle = std::move(truth.triangle);
+    const ShownPixels shown = shownPixels(renderer, *m_request.buffers, m_frame->log, target);
+    for (const uint32_t triangle : lossesBeyondSnapping(part, shown, scene, culling, tile).triangles) m_lost.insert(triangle);
 }
 
 void TiledPicture::finishTruth() {
@@ -50,8 +59,10 @@ void TiledPicture::finishTruth() {
     truth.facing = m_request.strategy->referenceFacing();
     for (size_t triangle = 0; triangle < m_visible.size(); ++triangle)
         if (m_visible[triangle]) truth.visibleTriangles.push_back(uint32_t(triangle));
+    std::optional<std::vector<uint32_t>> lost;
+    if (snappingMayExplain(m_frame->log, truth.facing)) lost.emplace(m_lost.begin(), m_lost.end());
     m_request.states =
-        std::make_shared<const TriangleStates>(triangleStates(m_request.buffers->scene(), m_frame->log, truth.visible()));
+        std::make_shared<const TriangleStates>(triangleStates(m_request.buffers->scene(), m_frame->log, truth.visible(), lost));
 }
 
 void TiledPicture::drawItems(Renderer& renderer, const PictureTile& tile) {

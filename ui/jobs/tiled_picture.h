@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "ui/jobs/picture_tiles.h"
 #include "ui/jobs/view_picture.h"
@@ -41,6 +42,7 @@ private:
     std::vector<PictureTile> m_cullingTiles, m_tiles;  ///< tiles of the truth, and of the picture
     size_t m_step = 0;
     std::vector<bool> m_visible;  ///< by scene triangle
+    std::set<uint32_t> m_lost;    ///< triangles with a lost pixel, where snapping may explain missed ones
     ViewFramePointer m_frame;
     std::optional<PictureDrawing> m_drawing;
     Result m_result;

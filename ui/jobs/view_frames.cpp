@@ -169,9 +169,9 @@ bool ViewFrames::overtaken(int view, const BuiltStrategyPointer& strategy) const
     return wanted != m_wanted.end() && wanted->second.lock() != strategy;
 }
 
-const std::vector<TriangleState>& ViewFrame::statesOf(const SceneBuffersPointer& asked) const {
+const std::vector<TriangleState>& ViewFrame::statesOf(const CoarseBuffersPointer& asked) const {
     if (coarse != asked) {
-        coarseOnes = coarseStates(request.buffers->scene(), asked->scene(), log);
+        coarseOnes = coarseStates(request.buffers->scene(), *asked->objects, log);
         coarse = asked;
     }
     return coarseOnes;

@@ -45,8 +45,8 @@ struct ViewFrame {
     bool unsteady = false;  ///< the view's next frame may be another one, although nothing changes (ViewState::unsteady)
     /// The states of a coarse scene's triangles in this frame (coarseStates), of the last one that was asked for: a view that
     /// looks at a frame from elsewhere moves while the frame stays. Used on the GPU thread.
-    [[nodiscard]] const std::vector<TriangleState>& statesOf(const SceneBuffersPointer& coarse) const;
-    mutable SceneBuffersPointer coarse{};
+    [[nodiscard]] const std::vector<TriangleState>& statesOf(const CoarseBuffersPointer& coarse) const;
+    mutable CoarseBuffersPointer coarse{};
     mutable std::vector<TriangleState> coarseOnes{};
 };
 using ViewFramePointer = std::shared_ptr<const ViewFrame>;

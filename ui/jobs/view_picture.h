@@ -38,7 +38,7 @@ struct ViewRequest {
     uint32_t otherTurn = 0;          ///< and which of its frames
     std::optional<LogPlace> upTo{};  ///< where a replay of the frame stops; none: at its end
     /// A coarse scene of the same objects that the picture is drawn with; null: the scene itself. The frame is the same.
-    SceneBuffersPointer coarse{};
+    CoarseBuffersPointer coarse{};
     bool unanswered = false;  ///< all triangles are shown in place of the frame: what a strategy decided is not told yet
 
     [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scenePointer() == buffers->scenePointer(); }

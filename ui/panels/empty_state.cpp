@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "core/mesh/load.h"
+#include "core/scene/scene_files.h"
 
 namespace cullscope::ui {
 
@@ -44,7 +44,7 @@ EmptyState::EmptyState(Session& session, QMenu* generate, QWidget* parent)
 void EmptyState::retranslate() {
     const bool loading = m_session.loader().loading();
     QStringList formats;
-    for (const std::string& extension : readableMeshExtensions()) formats << QString::fromStdString(extension).toUpper();
+    for (const std::string& extension : readableSceneExtensions()) formats << QString::fromStdString(extension).toUpper();
     m_title->setText(loading ? tr("Opening the scene…") : tr("Open a mesh or generate a scene"));
     m_text->setText(loading
                         ? tr("The window can be used meanwhile.")

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QLocale>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -139,8 +140,10 @@ QString WhyPanel::stateText() const {
 
 bool WhyPanel::withinSnapping() const {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
-    return m_reader.pickedState() == TriangleState::WronglyCulled && figures.state == ViewMetrics::State::Ready &&
-           figures.lostPixels() == 0;
+    const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    // A state is known of the whole frame's figures, and of no step.
+    if (!triangle || !m_reader.pickedState() || m_session.stepOf(m_session.activeView()) != nullptr) return false;
+    return figures.states && std::ranges::binary_search(figures.states->withinSnapping, *triangle);
 }
 
 QString WhyPanel::decided() const {

@@ -21,9 +21,10 @@ public:
     /// The comparison with the truth; empty: the truth is not known or adds nothing, as at a step of the frame.
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString heading() const;
-    /// The first line: the cause, and what decided with its numbers; empty where nothing is known yet.
-    /// Whether the picked triangle is left out wrongly in a picture that loses no pixel: the raster's snapping explains it.
+    /// Whether the truth shows the picked triangle, which was left out without the loss of a pixel: the raster's snapping
+    /// explains it (TriangleStates::withinSnapping).
     [[nodiscard]] bool withinSnapping() const;
+    /// The first line: the cause, and what decided with its numbers; empty where nothing is known yet.
     [[nodiscard]] QString decided() const;
     [[nodiscard]] PlaneTable& planes() { return *m_planes; }
 

@@ -12,7 +12,7 @@ MovingViews::MovingViews(GpuThread& gpu, int views, int rest, QObject* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(rest);
     connect(&m_rest, &QTimer::timeout, this, &MovingViews::changed);
-    connect(&m_upload, &SceneUpload::changed, this, &MovingViews::changed);
+    connect(&m_upload, &SceneUpload::changed, this, &MovingViews::take);
 }
 
 MovingViews::~MovingViews() {
@@ -24,19 +24,30 @@ void MovingViews::setScene(const ScenePointer& scene) {
     m_work.cancel();
     m_rest.stop();
     m_scene = scene;
-    m_coarse = nullptr;
+    m_objects = m_merged = nullptr;
+    m_made = nullptr;
     m_upload.setScene(nullptr);
     std::ranges::fill(m_milliseconds, 0.0);
     if (!scene || scene->triangleCount() < kLarge) return;
     const auto work = [this, scene](const std::stop_token& stop) -> Background::Delivery {
-        const ScenePointer coarse = coarseScene(*scene, kCoarseTriangles, Progress{nullptr, stop});
-        return [this, coarse] {
-            m_coarse = coarse;
-            m_upload.setScene(coarse);
+        const ScenePointer objects = coarseScene(*scene, kCoarseTriangles, Progress{nullptr, stop});
+        const ScenePointer merged = mergedScene(*objects, Progress{nullptr, stop});
+        return [this, objects, merged] {
+            m_objects = objects;
+            m_merged = merged;
+            m_upload.setScene(merged);
         };
     };
     // Without a coarse scene the pictures come later; there is nothing to tell.
     m_work.start(work, [](const std::exception&) -> Background::Delivery { return [] {}; });
+}
+
+void MovingViews::take() {
+    const SceneBuffersPointer& buffers = m_upload.buffers(Upload::Vbo);
+    m_made = buffers && m_merged && buffers->scenePointer() == m_merged
+                 ? std::make_shared<const CoarseBuffers>(CoarseBuffers{m_objects, buffers})
+                 : nullptr;
+    emit changed();
 }
 
 void MovingViews::move() { m_rest.start(); }
@@ -45,8 +56,8 @@ void MovingViews::made(int view, const ViewPicture& picture) {
     if (!picture.request.coarse) m_milliseconds[size_t(view)] = picture.milliseconds;
 }
 
-SceneBuffersPointer MovingViews::coarseFor(const std::vector<int>& shown, const ScenePointer& scene) const {
-    if (!moving() || !coarse() || coarse()->scenePointer() != m_coarse || scene != m_scene) return nullptr;
+CoarseBuffersPointer MovingViews::coarseFor(const std::vector<int>& shown, const ScenePointer& scene) const {
+    if (!moving() || !m_made || scene != m_scene) return nullptr;
     double all = 0.0;
     for (const int view : shown) all += m_milliseconds[size_t(view)];
     return all > kFollowing ? coarse() : nullptr;

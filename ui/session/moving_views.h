@@ -34,9 +34,9 @@ public:
     /// A view's new picture: how long a whole one takes is remembered.
     void made(int view, const ViewPicture& picture);
     /// The coarse scene with which a picture is to be drawn now; null: the scene itself. `shown`: the views that are drawn.
-    [[nodiscard]] SceneBuffersPointer coarseFor(const std::vector<int>& shown, const ScenePointer& scene) const;
+    [[nodiscard]] CoarseBuffersPointer coarseFor(const std::vector<int>& shown, const ScenePointer& scene) const;
     /// The same once the views move, whether they do or not. For tests.
-    [[nodiscard]] const SceneBuffersPointer& coarse() const { return m_upload.buffers(Upload::Vbo); }
+    [[nodiscard]] const CoarseBuffersPointer& coarse() const { return m_made; }
 
 signals:
     /// The views rest, or there is a coarse scene now.
@@ -45,7 +45,11 @@ signals:
 private:
     SceneUpload m_upload;
     Background m_work;
-    ScenePointer m_scene, m_coarse;
+    void take();
+
+    ScenePointer m_scene;
+    ScenePointer m_objects, m_merged;    ///< the coarse scene, and the same in one mesh
+    CoarseBuffersPointer m_made;         ///< both, once the mesh is uploaded
     std::vector<double> m_milliseconds;  ///< by view: of its last whole picture; 0: none was drawn yet
     QTimer m_rest;
 };

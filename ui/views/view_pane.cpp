@@ -88,8 +88,10 @@ QString ViewPane::chipText() const {
         parts << translated(*reason);
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (shown && shown->request.coarse)
-        parts << tr("coarse while it moves: %1 of %2 triangles, by object")
-                     .arg(countText(shown->request.coarse->scene().triangleCount()),
+        parts << (shown->request.look.has(Show::Kind::Verdicts) && shown->request.look.has(Show::Kind::Left)
+                      ? tr("coarse while it moves: %1 of %2 triangles, by object; what lies outside as boxes")
+                      : tr("coarse while it moves: %1 of %2 triangles, by object"))
+                     .arg(countText(shown->request.coarse->objects->triangleCount()),
                           countText(shown->request.buffers->scene().triangleCount()));
     if (m_picture->showsNothing()) parts << tr("nothing in view: Home");
     parts << lensParts();

@@ -4,9 +4,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 
-#include "core/mesh/load.h"
-#include "core/scene/polygon_scene.h"
-#include "core/scene/rvm/rvm_scene.h"
+#include "core/scene/scene_files.h"
 #include "ui/session/session_file.h"
 
 namespace cullscope::ui {
@@ -70,12 +68,8 @@ void DocumentCommands::wire() {
 
 QString DocumentCommands::fileTypes() {
     QStringList names, patterns;
-    for (const std::string& extension : readableMeshExtensions()) {
+    for (const std::string& extension : readableSceneExtensions()) {
         names << QString::fromStdString(extension);
-        patterns << pattern(names.back());
-    }
-    for (const char* extension : {kPolygonExtension, kRvmExtension}) {
-        names << QString::fromLatin1(extension);
         patterns << pattern(names.back());
     }
     QStringList pictures;

@@ -37,6 +37,24 @@ TEST(CoarseScene, aSceneThatIsSmallEnoughKeepsItsMeshes) {
     EXPECT_EQ(coarseScene(*scene, 1000)->meshes(), scene->meshes());
 }
 
+TEST(CoarseScene, isMergedIntoOneMeshWithTheSameTrianglesInTheSameOrder) {
+    for (const char* text : {"field:mesh=star:seed=3,triangles=2000,n=3", "plant:pipelines=3"}) {
+        const ScenePointer scene = openScene(text).scene, merged = mergedScene(*scene);
+        ASSERT_TRUE(merged);
+        ASSERT_EQ(merged->instances().size(), 1u);
+        ASSERT_EQ(merged->triangleCount(), scene->triangleCount());
+        const TriangleMesh& all = merged->meshOf(0);
+        const double tiny = 1e-6 * glm::length(scene->bounds().max - scene->bounds().min);
+        for (size_t i = 0; i < scene->instances().size(); ++i)
+            for (size_t corner = 0; corner < scene->meshOf(i).indices().size(); ++corner) {
+                const Vec3 is = all.position(all.indices()[3 * scene->firstTriangle(i) + corner]);
+                const Vec3 was = Vec3(scene->instances()[i].worldFromMesh *
+                                      Vec4(scene->meshOf(i).position(scene->meshOf(i).indices()[corner]), 1.0));
+                ASSERT_LT(glm::length(is - was), tiny) << text << ", object " << i << ", corner " << corner;
+            }
+    }
+}
+
 TEST(CoarseScene, endsOnAStopRequest) {
     std::stop_source stop;
     stop.request_stop();

@@ -1,5 +1,5 @@
 // The window at the first start of the program, on the least screen, in each language.
-#include "core/mesh/load.h"
+#include "core/scene/scene_files.h"
 #include "core/visibility/registry.h"
 #include "tests/ui/looks/desktop.h"
 #include "tests/ui/looks/shown_texts.h"
@@ -32,7 +32,7 @@ QStringList names(Desktop& desktop) {
     QStringList names{QStringLiteral("Software OpenGL"), QStringLiteral("mesh:FILE,triangles=N")};
     names << QString::fromStdString(desktop.session.gpu()->info().renderer)
           << QString::fromStdString(desktop.session.gpu()->info().version);
-    for (const std::string& format : readableMeshExtensions()) names << QString::fromStdString(format);
+    for (const std::string& format : readableSceneExtensions()) names << QString::fromStdString(format);
     for (const RegisteredStrategy& strategy : strategies()) names << QString::fromStdString(strategy.info.id);
     return names;
 }

@@ -1,0 +1,18 @@
+#include "core/scene/scene_files.h"
+
+#include "core/mesh/load.h"
+#include "core/scene/polygon_scene.h"
+#include "core/scene/rvm/rvm_scene.h"
+
+namespace cullscope {
+
+const std::vector<std::string>& readableSceneExtensions() {
+    static const std::vector<std::string> extensions = [] {
+        std::vector<std::string> all = readableMeshExtensions();
+        all.insert(all.end(), {kPolygonExtension, kRvmExtension});
+        return all;
+    }();
+    return extensions;
+}
+
+}  // namespace cullscope
