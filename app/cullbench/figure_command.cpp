@@ -41,7 +41,7 @@ void checkFiles(const FigureOptions& options) {
 
 void run(const FigureOptions& options, const Context& context) {
     checkFiles(options);
-    const std::vector<StrategyRequest> strategies = strategiesOf({han_hong::kShownStrategy}, options.parameters);
+    const std::vector<StrategyRequest> strategies = strategiesOf({han_hong::figureStrategy(options.number)}, options.parameters);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     // Letters are needed where the picture is no SVG; where none are installed, an SVG is laid out without them.

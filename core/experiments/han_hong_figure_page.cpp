@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/base/error.h"
 #include "core/experiments/han_hong_figure_data.h"
 #include "core/experiments/han_hong_rows.h"
@@ -10,8 +13,46 @@
 #include "core/image/cell_map_page.h"
 #include "core/measure/accuracy.h"
 #include "core/scene/camera_path.h"
+#include "core/visibility/spherical/map_details.h"
 
 namespace cullscope::han_hong {
+namespace {
+
+/// A map whose cells have the states of their triangles beside the truth: of several the one that says most.
+class TrueStates final : public CellMapSource {
+public:
+    TrueStates(std::shared_ptr<const CellMapSource> decided, const TriangleStates& truth, uint64_t firstTriangle,
+               const SphericalGrid& grid)
+        : m_decided(std::move(decided)), m_states(grid.cellCount()) {
+        constexpr std::array kByStrength{TriangleState::InVain, TriangleState::Visible, TriangleState::WronglyCulled};
+        const auto strength = [&](TriangleState state) {
+            const auto place = std::ranges::find(kByStrength, state);
+            return place == kByStrength.end() ? 0 : 1 + (place - kByStrength.begin());
+        };
+        for (uint32_t cell = 0; cell < m_states.size(); ++cell)
+            for (const uint32_t triangle : m_decided->owned(cell)) {
+                const TriangleState state = truth.states[firstTriangle + triangle];
+                if (!m_states[cell] || strength(state) > strength(*m_states[cell])) m_states[cell] = state;
+            }
+    }
+
+    [[nodiscard]] const void* key() const override { return m_decided->key(); }
+    [[nodiscard]] std::span<const uint32_t> owned(uint32_t cell) const override { return m_decided->owned(cell); }
+    [[nodiscard]] std::span<const uint32_t> touching(uint32_t cell) const override { return m_decided->touching(cell); }
+    [[nodiscard]] SphericalGrid::Cell ownerOf(uint32_t triangle) const override { return m_decided->ownerOf(triangle); }
+    [[nodiscard]] std::vector<SphericalGrid::Cell> cellsOf(uint32_t triangle) const override {
+        return m_decided->cellsOf(triangle);
+    }
+    [[nodiscard]] MapValues values(std::string_view colouring) const override { return m_decided->values(colouring); }
+    [[nodiscard]] const std::vector<std::optional<TriangleState>>& states() const override { return m_states; }
+    [[nodiscard]] std::vector<Words> words(uint32_t cell) const override { return m_decided->words(cell); }
+
+private:
+    std::shared_ptr<const CellMapSource> m_decided;
+    std::vector<std::optional<TriangleState>> m_states;
+};
+
+}  // namespace
 
 FigurePage::FigurePage(const FigureRequest& request, const PageLook& look, const Progress& progress)
     : m_request(request),
@@ -84,15 +125,50 @@ void FigurePage::requireBands(const FrameLog& log) const {
 std::vector<uint8_t> FigurePage::drawn(const FrameLog& log, const View& viewing, const ViewLook& look, const Overlays& more) {
     Framebuffer target(viewing.viewport());
     std::optional<TriangleStates> states;
-    if (look.has(Show::Kind::Verdicts)) states = judgedStates(m_renderer, m_buffers, log, m_strategy->referenceFacing());
+    if (look.has(Show::Kind::Verdicts)) states = statesAgainstTruth(log);
     drawViewPicture(m_renderer, m_buffers, *m_strategy, log, viewing, states ? &*states : nullptr, look, m_style, target);
     if (more) {
         const OverlayContext context{scene(), viewing, m_style, verdictPalette(m_style.background),
                                      contrastTo(m_style.background)};
-        for (const OverlayLines& overlay : more(context))
-            m_renderer.drawLines(viewing, overlay.lines, {overlay.style.width, overlay.style.depthTest}, target);
+        for (const OverlayLines& overlay : more(context)) drawOverlay(m_renderer, viewing, overlay, m_style, target);
     }
     return target.readColour();
+}
+
+TriangleStates FigurePage::statesAgainstTruth(const FrameLog& log) {
+    return judgedStates(m_renderer, m_buffers, log, m_strategy->referenceFacing());
+}
+
+double FigurePage::markLost(const FrameLog& log, const View& viewing, std::vector<uint8_t>& rgba) {
+    constexpr double kTint = 0.75;
+    const Reference truth = itemBufferReference(m_renderer, m_buffers, viewing, m_strategy->referenceFacing());
+    const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
+    const Vec3f lost = verdictPalette(m_style.background)[size_t(TriangleState::WronglyCulled)].colour;
+    uint64_t count = 0;
+    for (size_t pixel = 0; pixel < truth.depth.size(); ++pixel) {
+        if (pixelDifference(truth.depth[pixel], shown.depth[pixel]) != PixelDifference::Missed) continue;
+        ++count;
+        for (int c = 0; c < 3; ++c) {
+            uint8_t& value = rgba[4 * pixel + size_t(c)];
+            value = uint8_t(std::lround((1.0 - kTint) * value + kTint * 255.0 * lost[c]));
+        }
+    }
+    return truth.coveredPixels == 0 ? 0.0 : double(count) / double(truth.coveredPixels);
+}
+
+spherical::MapSnapshot FigurePage::shownMap(const FrameLog& log) const {
+    const StructureSnapshot snapshot = m_strategy->snapshot(log);
+    const std::vector<spherical::MapSnapshot>& maps = spherical::mapsOf(snapshot);
+    if (maps.empty()) refuse();
+    return maps[spherical::placeOfMap(maps, std::nullopt)];
+}
+
+void FigurePage::refuse() const {
+    throwUsage(CULLSCOPE_TR("Figure %1: this frame decided nothing that could be shown."), {std::to_string(m_request.number)});
+}
+
+void FigurePage::addWords(const Words& words) {
+    m_bottom = addText(m_page, m_look.say(words), {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text, true) + 4.0;
 }
 
 void FigurePage::addPicture(const Viewport& size, std::vector<uint8_t> rgba, double left) {
@@ -103,12 +179,19 @@ void FigurePage::addLegendBelow(const std::vector<PageLegendEntry>& entries, dou
     m_bottom = addLegend(m_page, entries, {kMargin, m_bottom + pictureHeight + 4.0}, inner(), m_look.style);
 }
 
-void FigurePage::addMap(const FrameLog& log, const char* colouring) {
+void FigurePage::addMap(const FrameLog& log, const char* colouring, const TriangleStates* truth) {
     const CellMapPointer map = m_strategy->directionMap("index-map", log);
-    if (!map)
-        throwUsage(CULLSCOPE_TR("Figure %1: this frame decided nothing that could be shown."),
-                   {std::to_string(m_request.number)});
-    m_bottom = addCellMap(m_page, *map, colouring, {kMargin, m_bottom + 8.0}, inner(), m_style, m_look);
+    if (!map) refuse();
+    CellMap shown = *map;
+    if (truth != nullptr)
+        shown.source = std::make_shared<TrueStates>(map->source, *truth, scene().firstTriangle(map->object), map->grid);
+    // A page has room for every circle.
+    if (shown.circles) {
+        shown.circles->every = 1;
+        for (MapLegendEntry& entry : shown.legend)
+            if (entry.symbol == MapSymbol::Circle) entry.words.terms = {Term::angle(shown.circles->width)};
+    }
+    m_bottom = addCellMap(m_page, shown, colouring, {kMargin, m_bottom + 8.0}, inner(), m_style, m_look);
 }
 
 }  // namespace cullscope::han_hong

@@ -5,6 +5,7 @@
 #include "core/experiments/han_hong_figures.h"
 #include "core/gpu/renderer.h"
 #include "core/image/view_picture.h"
+#include "core/visibility/spherical/decision.h"
 
 namespace cullscope::han_hong {
 
@@ -43,9 +44,18 @@ protected:
     /// A picture of a frame, with further lines.
     [[nodiscard]] std::vector<uint8_t> drawn(const FrameLog& log, const View& viewing, const ViewLook& look,
                                              const Overlays& more = {});
+    /// Tints the pixels of a picture from the frame's own eye that show less than the truth; returns which share of those
+    /// covered.
+    double markLost(const FrameLog& log, const View& viewing, std::vector<uint8_t>& rgba);
+    /// The map of the object that the figure shows; the frame must have decided about one.
+    [[nodiscard]] spherical::MapSnapshot shownMap(const FrameLog& log) const;
+    /// Adds a line of words, such as the case, and goes on below it.
+    void addWords(const Words& words);
     void addPicture(const Viewport& size, std::vector<uint8_t> rgba, double left = kMargin);
     void addLegendBelow(const std::vector<PageLegendEntry>& entries, double pictureHeight);
-    void addMap(const FrameLog& log, const char* colouring);
+    /// `truth`: states of the triangles, by which the cells are coloured in place of what was decided about them.
+    void addMap(const FrameLog& log, const char* colouring, const TriangleStates* truth = nullptr);
+    [[nodiscard]] TriangleStates statesAgainstTruth(const FrameLog& log);
 
     const FigureRequest& m_request;
     const PageLook& m_look;
@@ -57,6 +67,8 @@ protected:
     ResultTable m_data;
 
 private:
+    [[noreturn]] void refuse() const;
+
     StructureStore m_structures;
     BuiltStrategyPointer m_strategy;
 };

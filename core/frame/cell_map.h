@@ -43,7 +43,8 @@ struct MapColouring {
 struct MapCurve {
     MapSymbol symbol = MapSymbol::Region;
     std::vector<Vec2> points;
-    bool closed = false;  ///< the last point is connected with the first
+    bool closed = false;           ///< the last point is connected with the first
+    std::optional<double> pole{};  ///< of a line around the axis: θ of the edge of the map on whose side its inside lies
 };
 
 /// A place (θ, φ) in radians with a number beside it and words about it.

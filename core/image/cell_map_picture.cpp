@@ -23,6 +23,7 @@ constexpr double kDash = 6.0;
 constexpr double kMapMark = 4.5;
 constexpr double kLeastCell = 5.0;  ///< smaller cells are not outlined
 constexpr double kWalkedOpacity = 0.45;
+constexpr double kInsideOpacity = 0.22;
 
 constexpr Vec3f kRegionOnMap(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in the paper's Figure 4
 
@@ -46,6 +47,7 @@ public:
     void paintFrame();
     void paintOutlines();
     void paintBoxes();
+    void paintInsides();
     void paintCurves();
     void paintCircles(const MapCircles& circles);
     void axisMarks(const Vec3& axis);
@@ -132,6 +134,23 @@ void CellMapPainter::box(const SphericalGrid::Box& box, const Canvas::Pen& pen) 
 void CellMapPainter::paintBoxes() {
     m_canvas.clipTo(m_area);
     for (const SphericalGrid::Box& each : m_map.boxes) box(each, {m_contrast, kThin * unit()});
+}
+
+/// Shades what regions enclose: what a line encloses that is closed, or what lies between a line around the axis and its pole.
+void CellMapPainter::paintInsides() {
+    m_canvas.clipTo(m_area);
+    for (const MapCurve& each : m_map.curves) {
+        if (each.symbol != MapSymbol::Region || !(each.closed || each.pole)) continue;
+        for (const double turn : {-kTurn, 0.0, kTurn}) {
+            std::vector<Vec2> polygon;
+            for (const Vec2& point : each.points) polygon.push_back(place({point.x, point.y + turn}));
+            if (each.pole) {
+                polygon.push_back(place({*each.pole, each.points.back().y + turn}));
+                polygon.push_back(place({*each.pole, each.points.front().y + turn}));
+            }
+            m_canvas.fill(polygon, kRegionOnMap, kInsideOpacity);
+        }
+    }
 }
 
 void CellMapPainter::paintCurves() {
@@ -236,6 +255,7 @@ std::vector<uint8_t> cellMapPicture(const CellMap& map, std::string_view colouri
     painter.paintCells(cellColours(map, colouring, style.background));
     painter.paintFrame();
     painter.paintOutlines();
+    painter.paintInsides();
     painter.paintBoxes();
     painter.paintCurves();
     if (map.circles) painter.paintCircles(*map.circles);

@@ -16,8 +16,8 @@ namespace cullscope {
 
 /// A map of directions as a picture of a given size, φ to the right (0 … 360°) and θ downward (0 … 180°), twice as wide as it is
 /// high, with ticks every 30°. It shows the cells' colours; the strategy's own cells, if they are some pixels large; boxes;
-/// curves, a region's in dashed red and a horizon's in wide red; the circles about an axis with its start (dot) and end (ring);
-/// walked cells; and marks (crosses for those that missed). RGBA, rows from the bottom.
+/// curves, a region's in dashed red with its inside shaded and a horizon's in wide red; the circles about an axis with its start
+/// (dot) and end (ring); walked cells; and marks (crosses for those that missed). RGBA, rows from the bottom.
 [[nodiscard]] std::vector<uint8_t> cellMapPicture(const CellMap& map, std::string_view colouring, const Viewport& size,
                                                   const DrawStyle& style);
 

@@ -10,13 +10,13 @@ constexpr double kGapShare = 0.14;  ///< of a column, between two boxes
 constexpr double kRowGap = 26.0;    ///< between two rows, for arrows and their words
 constexpr double kHead = 7.0;       ///< of an arrow
 constexpr double kSlope = 16.0;     ///< by how much a question's sides stand out
-constexpr double kLitWidth = 2.5;
+constexpr double kLitWidth = 3.0, kWayWidth = 2.5;
 
 class ChartDrawer {
 public:
     ChartDrawer(const FlowChart& chart, uint8_t line, double width, const PlotStyle& style, const FlowColours& colours,
-                const std::function<std::string(const std::string&)>& say)
-        : m_chart(chart), m_line(line), m_style(style), m_colours(colours), m_say(say) {
+                const std::function<std::string(const std::string&)>& say, const FlowWay& way)
+        : m_chart(chart), m_line(line), m_style(style), m_colours(colours), m_say(say), m_way(way) {
         double columns = 1.0;
         for (const FlowBox& box : chart.boxes) {
             columns = std::max(columns, box.column + 1.0);
@@ -32,8 +32,11 @@ public:
     [[nodiscard]] double height() const { return m_tops.back() - kRowGap + kMargin; }
 
     [[nodiscard]] PlotDrawing draw() {
-        for (const FlowArrow& arrow : m_chart.arrows) draw(arrow);
-        for (size_t i = 0; i < m_chart.boxes.size(); ++i) draw(m_chart.boxes[i], m_words[i]);
+        // The way lies over arrows that were not passed.
+        for (const bool passed : {false, true})
+            for (size_t i = 0; i < m_chart.arrows.size(); ++i)
+                if (m_way.passesArrow(i) == passed) draw(m_chart.arrows[i], passed);
+        for (size_t i = 0; i < m_chart.boxes.size(); ++i) draw(m_chart.boxes[i], m_words[i], m_way.passesBox(i));
         return std::move(m_drawing);
     }
 
@@ -54,11 +57,17 @@ private:
         m_drawing.items.emplace_back(DrawnPath{std::move(points), pen, fill});
     }
 
-    void draw(const FlowBox& box, const std::vector<std::string>& words) {
+    void draw(const FlowBox& box, const std::vector<std::string>& words, bool passed) {
         const PlotBox place = placeOf(box);
         const bool lit = m_line > 0 && std::ranges::find(box.lines, m_line) != box.lines.end();
-        const PlotPen pen{lit ? m_colours.litText : m_colours.line, lit ? kLitWidth : 1.0};
-        const PlotColour fill = lit ? m_colours.lit : box.kind == FlowBox::Kind::Structure ? m_colours.structure : 0;
+        const PlotPen pen = lit      ? PlotPen{m_colours.litText, kLitWidth}
+                            : passed ? PlotPen{m_colours.way, kWayWidth}
+                                     : PlotPen{m_colours.line, 1.0};
+        const PlotColour text = lit ? m_colours.litText : passed ? m_colours.passedText : m_style.text;
+        const PlotColour fill = lit                                    ? m_colours.lit
+                                : passed                               ? m_colours.passed
+                                : box.kind == FlowBox::Kind::Structure ? m_colours.structure
+                                                                       : 0;
         const double middle = (place.top + place.bottom) / 2;
         if (box.kind == FlowBox::Kind::Question)
             path({{place.left - kSlope / 2, middle},
@@ -78,13 +87,12 @@ private:
                  pen, fill);
         double baseline = middle - double(words.size()) * m_style.height / 2 + m_style.ascent;
         for (const std::string& line : words) {
-            m_drawing.items.emplace_back(DrawnText{
-                {(place.left + place.right) / 2, baseline}, line, lit ? m_colours.litText : m_style.text, TextAnchor::Middle});
+            m_drawing.items.emplace_back(DrawnText{{(place.left + place.right) / 2, baseline}, line, text, TextAnchor::Middle});
             baseline += m_style.height;
         }
     }
 
-    void draw(const FlowArrow& arrow) {
+    void draw(const FlowArrow& arrow, bool passed) {
         const FlowBox &from = m_chart.boxes[arrow.from], &to = m_chart.boxes[arrow.to];
         const PlotBox a = placeOf(from), b = placeOf(to);
         const PlotPoint middleOfA{(a.left + a.right) / 2, (a.top + a.bottom) / 2},
@@ -101,12 +109,13 @@ private:
             points = {{edge + stand, middleOfA.y}, {side < 0.0 ? b.right : b.left, middleOfB.y}};
         else
             points = {{middleOfA.x, a.bottom}, {middleOfB.x, b.top}};
-        path(points, {m_colours.line, 1.2});
-        addHead(points[points.size() - 2], points.back());
+        const PlotColour colour = passed ? m_colours.way : m_colours.line;
+        path(points, {colour, passed ? kWayWidth : 1.2});
+        addHead(points[points.size() - 2], points.back(), colour);
         if (!arrow.words.empty()) addWords(arrow, points);
     }
 
-    void addHead(const PlotPoint& from, const PlotPoint& tip) {
+    void addHead(const PlotPoint& from, const PlotPoint& tip, PlotColour colour) {
         const double dx = tip.x > from.x   ? 1.0
                           : tip.x < from.x ? -1.0
                                            : 0.0,
@@ -117,7 +126,7 @@ private:
               {tip.x - kHead * dx - kHead / 2 * dy, tip.y - kHead * dy - kHead / 2 * dx},
               {tip.x - kHead * dx + kHead / 2 * dy, tip.y - kHead * dy + kHead / 2 * dx},
               tip},
-             {}, m_colours.line);
+             {}, colour);
     }
 
     /// Beside an arrow that goes down, above a box to the side, above an arrow that goes across.
@@ -135,6 +144,7 @@ private:
     const PlotStyle& m_style;
     const FlowColours& m_colours;
     const std::function<std::string(const std::string&)>& m_say;
+    const FlowWay& m_way;
     double m_column = 0.0, m_box = 0.0;
     size_t m_rows = 1;
     std::vector<double> m_tops;
@@ -145,8 +155,9 @@ private:
 }  // namespace
 
 PlotDrawing drawFlowChart(const FlowChart& chart, uint8_t line, double width, double& height, const PlotStyle& style,
-                          const FlowColours& colours, const std::function<std::string(const std::string& text)>& say) {
-    ChartDrawer drawer(chart, line, width, style, colours, say);
+                          const FlowColours& colours, const std::function<std::string(const std::string& text)>& say,
+                          const FlowWay& way) {
+    ChartDrawer drawer(chart, line, width, style, colours, say, way);
     height = drawer.height();
     return drawer.draw();
 }

@@ -19,7 +19,7 @@ void addSign(Page& page, const PageSign& sign, const PlotPoint& middle) {
         {left, middle.y - 6.0}, {right, middle.y - 6.0}, {right, middle.y + 6.0}, {left, middle.y + 6.0}, {left, middle.y - 6.0}};
     switch (sign.shape) {
         case PageSign::Shape::Area:
-            return path(frame, {}, sign.colour);
+            return path(frame, {sign.edge, sign.edge != 0 ? sign.width : 0.0}, sign.colour);
         case PageSign::Shape::Frame:
             return path(frame, pen);
         case PageSign::Shape::Line:

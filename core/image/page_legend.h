@@ -18,7 +18,8 @@ struct PageSign {
     enum class Shape { Area, Frame, Line, Dashed, Dot, Ring, Cross, Letter };
     Shape shape = Shape::Area;
     PlotColour colour = 0;
-    double width = 1.5;  ///< of lines, pixels
+    double width = 1.5;   ///< of lines, pixels
+    PlotColour edge = 0;  ///< of an area; 0: none
 };
 struct PageLegendEntry {
     PageSign sign;

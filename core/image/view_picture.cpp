@@ -33,17 +33,6 @@ std::span<const uint8_t> bytes(std::span<const TriangleState> states) {
     return {reinterpret_cast<const uint8_t*>(states.data()), states.size()};
 }
 
-void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& overlay, const DrawStyle& style,
-                 Framebuffer& target) {
-    const LineStyle line{overlay.style.width * style.unit, overlay.style.depthTest};
-    if (overlay.cased) {
-        std::vector<LineSegment> casing = overlay.lines;
-        for (LineSegment& each : casing) each.colour = style.background;
-        renderer.drawLines(viewing, casing, {line.width + 2.0f * kCasing * style.unit, line.depthTest}, target);
-    }
-    renderer.drawLines(viewing, overlay.lines, line, target);
-}
-
 /// The outline of the plane that cuts a picture, in the scene's box.
 OverlayLines sectionOutline(const Scene& scene, const Plane& section, const Vec3f& colour) {
     OverlayLines outline{{}, {kSectionWidth, false}, true};
@@ -186,6 +175,17 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
         renderer.draw(buffers, viewing, log, target, style);
     }
     drawViewOverlays(renderer, buffers.scene(), strategy, log, viewing, look, style, target);
+}
+
+void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& overlay, const DrawStyle& style,
+                 Framebuffer& target) {
+    const LineStyle line{overlay.style.width * style.unit, overlay.style.depthTest};
+    if (overlay.cased) {
+        std::vector<LineSegment> casing = overlay.lines;
+        for (LineSegment& each : casing) each.colour = style.background;
+        renderer.drawLines(viewing, casing, {line.width + 2.0f * kCasing * style.unit, line.depthTest}, target);
+    }
+    renderer.drawLines(viewing, overlay.lines, line, target);
 }
 
 std::vector<TriangleState> coarseStates(const Scene& scene, const Scene& coarse, const FrameLog& log) {

@@ -74,6 +74,9 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
                      const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& style,
                      Framebuffer& target);
 
+/// Draws the lines of one overlay, cased ones with their border.
+void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& overlay, const DrawStyle& style,
+                 Framebuffer& target);
 /// What drawViewPicture draws over the objects.
 void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrategy& strategy, const FrameLog& log,
                       const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target);

@@ -46,6 +46,21 @@ void Canvas::fill(const Rectangle& rectangle, const Vec3f& colour, double opacit
         for (int x = std::max(0, int(std::ceil(rectangle.left - 0.5))); x < right; ++x) blend(x, y, colour, opacity);
 }
 
+void Canvas::fill(std::span<const Vec2> polygon, const Vec3f& colour, double opacity) {
+    for (int y = 0; y < m_size.height; ++y) {
+        const double middle = y + 0.5;
+        std::vector<double> crossings;
+        for (size_t i = 0; i < polygon.size(); ++i) {
+            const Vec2 &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+            if ((from.y <= middle) != (to.y <= middle))
+                crossings.push_back(from.x + (middle - from.y) / (to.y - from.y) * (to.x - from.x));
+        }
+        std::ranges::sort(crossings);
+        for (size_t i = 0; i + 1 < crossings.size(); i += 2)
+            fill(Rectangle{crossings[i], double(y), crossings[i + 1], y + 1.0}, colour, opacity);
+    }
+}
+
 template <typename Distance>
 void Canvas::cover(const Vec2& low, const Vec2& high, const Vec3f& colour, const Distance& distance) {
     const int left = std::max(0, int(std::floor(low.x - 1.0))), right = std::min(m_size.width - 1, int(std::ceil(high.x + 1.0)));

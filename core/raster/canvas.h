@@ -24,6 +24,9 @@ public:
     /// Fills the pixels whose centres lie inside.
     void fill(const Rectangle& rectangle, const Vec3f& colour, double opacity);
 
+    /// Fills the pixels whose centres lie inside a polygon, by the even-odd rule.
+    void fill(std::span<const Vec2> polygon, const Vec3f& colour, double opacity);
+
     struct Pen {
         Vec3f colour{0.0f};
         double width = 1.0;  ///< pixels

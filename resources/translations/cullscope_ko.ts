@@ -5234,10 +5234,6 @@
         <translation>경계구</translation>
     </message>
     <message>
-        <source>corner ray</source>
-        <translation>모서리 광선</translation>
-    </message>
-    <message>
         <source>where it enters the sphere</source>
         <translation>구로 들어가는 곳</translation>
     </message>
@@ -5250,10 +5246,6 @@
         <translation>가려진 띠의 등고선</translation>
     </message>
     <message>
-        <source>S, from the axis to the surface, of the labelled sector</source>
-        <translation>표시한 구역의 S: 축에서 표면까지</translation>
-    </message>
-    <message>
         <source>S of a band that is drawn</source>
         <translation>그리는 띠의 S</translation>
     </message>
@@ -5262,16 +5254,8 @@
         <translation>가려진 띠의 S</translation>
     </message>
     <message>
-        <source>edges of the sector</source>
-        <translation>구역의 경계</translation>
-    </message>
-    <message>
         <source>what is not drawn</source>
         <translation>그리지 않는 부분</translation>
-    </message>
-    <message>
-        <source>contour, behind the object</source>
-        <translation>물체 뒤의 등고선</translation>
     </message>
     <message>
         <source>from the eye</source>
@@ -6277,6 +6261,70 @@
         <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing all of it in the order of neighbours is faster.</source>
         <translation>뺐지만 결국 그립니다. 물체의 삼각형 중 %1개에 1개도 되지 않게 빠지며, 이웃 순서로 전체를 그리는 쪽이 빠릅니다.</translation>
     </message>
+    <message>
+        <source>No scene is open.</source>
+        <translation>열린 장면이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The figure cannot be drawn: %1</source>
+        <translation>그림을 그릴 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>the way taken until then</source>
+        <translation>그때까지 지나온 길</translation>
+    </message>
+    <message>
+        <source>Figure %1: no corner ray meets the object in this view. Choose another case or pose.</source>
+        <translation>그림 %1: 이 시점에서는 어떤 모서리 광선도 물체와 만나지 않습니다. 다른 경우나 시점을 고르세요.</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>눈</translation>
+    </message>
+    <message>
+        <source>corner ray, pale behind a surface</source>
+        <translation>모서리 광선, 표면 뒤에서는 옅게</translation>
+    </message>
+    <message>
+        <source>visible region, on the surface</source>
+        <translation>가시 영역, 표면 위</translation>
+    </message>
+    <message>
+        <source>its box, on the surface</source>
+        <translation>경계 박스, 표면 위</translation>
+    </message>
+    <message>
+        <source>S of the bands of %1 in one sector</source>
+        <translation>한 구역에서 폭 %1인 띠의 S</translation>
+    </message>
+    <message>
+        <source>the largest S: from the axis to the surface</source>
+        <translation>가장 큰 S: 축에서 표면까지</translation>
+    </message>
+    <message>
+        <source>level of the largest S: what stays below it is hidden</source>
+        <translation>가장 큰 S의 높이: 그 아래에 머무는 것은 가려짐</translation>
+    </message>
+    <message>
+        <source>edges of the sector and its bands</source>
+        <translation>구역과 그 띠의 경계</translation>
+    </message>
+    <message>
+        <source>hidden for good by a nearer band, though its S is larger</source>
+        <translation>S가 더 크지만 더 가까운 띠 때문에 끝까지 가려짐</translation>
+    </message>
+    <message>
+        <source>from the side, with what was left out</source>
+        <translation>옆에서, 제외된 부분과 함께</translation>
+    </message>
+    <message>
+        <source>rim of what is drawn: there the shell ends</source>
+        <translation>그려진 부분의 가장자리: 여기서 껍질이 끝남</translation>
+    </message>
+    <message>
+        <source>lost pixels: %1</source>
+        <translation>잃은 픽셀: %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6576,6 +6624,69 @@ OpenGL %2
         <source>All of these</source>
         <comment>sweeps over parameters</comment>
         <translation>아래 전부</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::FiguresDialog</name>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>닫기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Figures of Han &amp; Hong 2008</source>
+        <translation>Han &amp; Hong 2008의 그림</translation>
+    </message>
+    <message>
+        <source>Figure %1: %2</source>
+        <translation>그림 %1: %2</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>그림</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s bunny</source>
+        <translation>논문의 토끼</translation>
+    </message>
+    <message>
+        <source>the open scene</source>
+        <translation>열린 장면</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>case %1</source>
+        <translation>경우 %1</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>경우</translation>
+    </message>
+    <message>
+        <source>view </source>
+        <translation>시점 </translation>
+    </message>
+    <message>
+        <source>View of the case</source>
+        <translation>경우의 시점</translation>
+    </message>
+    <message>
+        <source>The figure</source>
+        <translation>그림</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>그리는 중…</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>그림 저장</translation>
     </message>
 </context>
 <context>
@@ -9944,6 +10055,14 @@ sides [95 %]</source>
     <message>
         <source>Run the battery of extreme cases, and open their scenes</source>
         <translation>극단 사례 모음을 실행하고 그 장면을 엽니다</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w a paper&apos;s figure…</source>
+        <translation>논문의 그림 그리기(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Draw a figure of a paper anew, and save it as a picture or as its numbers</source>
+        <translation>논문의 그림을 새로 그려 그림이나 수치로 저장합니다</translation>
     </message>
 </context>
 </TS>

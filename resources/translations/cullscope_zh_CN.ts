@@ -5234,10 +5234,6 @@
         <translation>包围球</translation>
     </message>
     <message>
-        <source>corner ray</source>
-        <translation>角光线</translation>
-    </message>
-    <message>
         <source>where it enters the sphere</source>
         <translation>进入球处</translation>
     </message>
@@ -5250,10 +5246,6 @@
         <translation>被遮挡的环带的等高线</translation>
     </message>
     <message>
-        <source>S, from the axis to the surface, of the labelled sector</source>
-        <translation>所标扇区的 S：从轴到表面</translation>
-    </message>
-    <message>
         <source>S of a band that is drawn</source>
         <translation>被绘制的环带的 S</translation>
     </message>
@@ -5262,16 +5254,8 @@
         <translation>被遮挡的环带的 S</translation>
     </message>
     <message>
-        <source>edges of the sector</source>
-        <translation>扇区的边界</translation>
-    </message>
-    <message>
         <source>what is not drawn</source>
         <translation>未绘制的部分</translation>
-    </message>
-    <message>
-        <source>contour, behind the object</source>
-        <translation>物体后面的等高线</translation>
     </message>
     <message>
         <source>from the eye</source>
@@ -6277,6 +6261,70 @@
         <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing all of it in the order of neighbours is faster.</source>
         <translation>已剔除但仍绘制：该物体的三角形中剔除的不到 %1 分之一，按相邻顺序全部绘制更快。</translation>
     </message>
+    <message>
+        <source>No scene is open.</source>
+        <translation>没有打开的场景。</translation>
+    </message>
+    <message>
+        <source>The figure cannot be drawn: %1</source>
+        <translation>无法绘制此图：%1</translation>
+    </message>
+    <message>
+        <source>the way taken until then</source>
+        <translation>到此为止所走的路径</translation>
+    </message>
+    <message>
+        <source>Figure %1: no corner ray meets the object in this view. Choose another case or pose.</source>
+        <translation>图 %1：在此视点没有角光线与物体相交。请选择其他情形或视点。</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>corner ray, pale behind a surface</source>
+        <translation>角光线，在表面之后为浅色</translation>
+    </message>
+    <message>
+        <source>visible region, on the surface</source>
+        <translation>可见区域，在表面上</translation>
+    </message>
+    <message>
+        <source>its box, on the surface</source>
+        <translation>其包围盒，在表面上</translation>
+    </message>
+    <message>
+        <source>S of the bands of %1 in one sector</source>
+        <translation>一个扇区中宽 %1 的环带的 S</translation>
+    </message>
+    <message>
+        <source>the largest S: from the axis to the surface</source>
+        <translation>最大的 S：从轴到表面</translation>
+    </message>
+    <message>
+        <source>level of the largest S: what stays below it is hidden</source>
+        <translation>最大 S 的高度：低于它的被遮挡</translation>
+    </message>
+    <message>
+        <source>edges of the sector and its bands</source>
+        <translation>扇区及其环带的边界</translation>
+    </message>
+    <message>
+        <source>hidden for good by a nearer band, though its S is larger</source>
+        <translation>虽然 S 更大，但因较近的环带而一直被剔除</translation>
+    </message>
+    <message>
+        <source>from the side, with what was left out</source>
+        <translation>从侧面看，连同被剔除的部分</translation>
+    </message>
+    <message>
+        <source>rim of what is drawn: there the shell ends</source>
+        <translation>所绘部分的边缘：壳到此为止</translation>
+    </message>
+    <message>
+        <source>lost pixels: %1</source>
+        <translation>丢失的像素：%1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6576,6 +6624,69 @@ OpenGL %2
         <source>All of these</source>
         <comment>sweeps over parameters</comment>
         <translation>以下全部</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::FiguresDialog</name>
+    <message>
+        <source>&amp;Save</source>
+        <translation>保存(&amp;S)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Figures of Han &amp; Hong 2008</source>
+        <translation>Han &amp; Hong 2008 的插图</translation>
+    </message>
+    <message>
+        <source>Figure %1: %2</source>
+        <translation>图 %1：%2</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>图</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s bunny</source>
+        <translation>论文中的兔子</translation>
+    </message>
+    <message>
+        <source>the open scene</source>
+        <translation>打开的场景</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>case %1</source>
+        <translation>情形 %1</translation>
+    </message>
+    <message>
+        <source>Case</source>
+        <translation>情形</translation>
+    </message>
+    <message>
+        <source>view </source>
+        <translation>视点 </translation>
+    </message>
+    <message>
+        <source>View of the case</source>
+        <translation>该情形的视点</translation>
+    </message>
+    <message>
+        <source>The figure</source>
+        <translation>插图</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>正在绘制…</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>保存插图</translation>
     </message>
 </context>
 <context>
@@ -9944,6 +10055,14 @@ sides [95 %]</source>
     <message>
         <source>Run the battery of extreme cases, and open their scenes</source>
         <translation>运行极端案例集，并打开其场景</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w a paper&apos;s figure…</source>
+        <translation>绘制论文的插图(&amp;W)…</translation>
+    </message>
+    <message>
+        <source>Draw a figure of a paper anew, and save it as a picture or as its numbers</source>
+        <translation>重新绘制论文的插图，并保存为图片或数据</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include "ui/dialogs/figures_dialog.h"
 #include "ui/dialogs/reproduce_dialog.h"
 #include "ui/dialogs/stability_dialog.h"
 
@@ -15,6 +16,7 @@ PaperCommands::PaperCommands(Session& session, WindowActions& actions, Experimen
       m_window(window),
       m_runner(new PaperRunner(session, this)) {
     connect(actions.reproduce, &QAction::triggered, this, &PaperCommands::showDialog);
+    connect(actions.figures, &QAction::triggered, this, &PaperCommands::showFigures);
     connect(actions.stability, &QAction::triggered, this, &PaperCommands::showStability);
     // The changes that the experiment made to the session are not steps for the user to undo.
     connect(m_runner, &PaperRunner::ended, &undo, &UndoRecorder::startAnew);
@@ -26,6 +28,16 @@ void PaperCommands::showStability() {
         dialog = new StabilityDialog(m_session, m_window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         connect(dialog, &StabilityDialog::sceneWanted, this, &PaperCommands::sceneWanted);
+    }
+    dialog->show();
+    dialog->raise();
+}
+
+void PaperCommands::showFigures() {
+    auto* dialog = m_window->findChild<FiguresDialog*>();
+    if (dialog == nullptr) {
+        dialog = new FiguresDialog(m_session, m_window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
     dialog->show();
     dialog->raise();

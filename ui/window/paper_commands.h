@@ -9,7 +9,8 @@
 
 namespace cullscope::ui {
 
-/// The commands that reproduce a table of a paper in the window, and that run the battery of extreme cases.
+/// The commands that reproduce a table of a paper in the window, that draw its figures, and that run the battery of extreme
+/// cases.
 class PaperCommands : public QObject {
     Q_OBJECT
 
@@ -24,6 +25,7 @@ signals:
 
 private:
     void showDialog();
+    void showFigures();
     void showStability();
 
     Session& m_session;

@@ -77,6 +77,7 @@ void WindowActions::makeView() {
     stepBackToBreakpoint = command(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     lecture = command(Qt::Key_F5, QStringLiteral("lecture"));
     reproduce = command({});
+    figures = command({});
     stability = command({});
     resetLayout = command({});
     systemAppearance = option(appearance, QStringLiteral("system"));
@@ -169,7 +170,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, stability});
+    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, figures, stability});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(lookFrom);

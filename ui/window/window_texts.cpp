@@ -108,6 +108,7 @@ void WindowActions::retranslateView() {
     say(stepBackToBreakpoint, tr("Back to the last breakpoint"), {});
     say(reproduce, tr("Repro&duce a paper's table…"),
         tr("Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours"));
+    say(figures, tr("Dra&w a paper's figure…"), tr("Draw a figure of a paper anew, and save it as a picture or as its numbers"));
     say(stability, tr("Sta&bility…"), tr("Run the battery of extreme cases, and open their scenes"));
     say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));
     say(systemAppearance, tr("As the &system"), tr("Light or dark as the system is set"));

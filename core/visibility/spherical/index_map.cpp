@@ -126,6 +126,8 @@ void addRegion(CellMap& map, const SphericalDecision& decision) {
     const VisibleRegion& region = *decision.region;
     map.boxes = region.boxes;
     if (!region.outline.empty()) map.curves.push_back({MapSymbol::Region, region.outline, !region.winds});
+    if (region.winds && region.caseNumber == 1)
+        map.curves.back().pole = region.boxes.front().firstRow == 0 ? 0.0 : std::numbers::pi;
     for (const CornerRay& ray : decision.rays)
         for (const WalkedCell& walked : ray.walkedCells) map.walked.push_back(walked.cell);
     for (size_t corner = 0; corner < decision.rays.size(); ++corner) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/visibility/overlay.h"
@@ -21,10 +22,12 @@ namespace cullscope::spherical {
 
 /// S of each band in one sector, that in which the profile is best visible: from the axis, perpendicular to it, to the direction
 /// and distance of the cell that has the band's S, so that it begins at the foot of the surface that it is measured at (Han &
-/// Hong 2008, Figure 6); dashed where the band is hidden. The largest one is labelled with the letter S. The axis has its start
-/// (ring) and end (dot), and two thin lines on the sphere enclose the sector. For `spherical-horizon`, which has slopes, the
-/// heights of the sight lines with that slope.
-[[nodiscard]] std::vector<OverlayLines> sizeOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps);
+/// Hong 2008, Figure 6); dashed where the band is hidden, and in the colour of what is wrongly culled where it is hidden for good
+/// by a nearer band although its own S is larger. The largest other one is labelled with the letter S, and a dashed level on from
+/// it shows what it hides. The axis has its start (ring) and end (dot); thin lines enclose the sector and divide it into bands.
+/// For `spherical-horizon`, which has slopes, the heights of the sight lines with that slope. `sector`: shown in place of that.
+[[nodiscard]] std::vector<OverlayLines> sizeOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps,
+                                                    const std::optional<uint32_t>& sector = {});
 /// The colour of S, which no verdict has.
 [[nodiscard]] Vec3f sizeColour(const Vec3f& background);
 
@@ -35,6 +38,7 @@ struct SizePlace {
     Vec3 foot{0.0};     ///< on the axis
     Vec3 surface{0.0};  ///< at R of the cell's farthest centroid, in the direction of the cell's middle
     bool drawn = true;
+    bool larger = false;  ///< not drawn, because a nearer band was hidden, although its S is larger than all before it
 };
 /// Of all bands of a sector that have an S, from near to far. The map must have bands by S.
 [[nodiscard]] std::vector<SizePlace> sizePlaces(const MapSnapshot& map, uint32_t sector);

@@ -15,6 +15,7 @@ namespace {
 // Widths and lengths in units.
 constexpr float kSizeWidth = 2.0f;
 constexpr float kSectorWidth = 1.0f;
+constexpr float kLevelWidth = 1.0f;
 constexpr float kAxisWidth = 1.5f;
 constexpr double kMarkRadius = 5.0;
 constexpr float kLetterWidth = 2.5f;
@@ -22,6 +23,8 @@ constexpr double kLetterHeight = 18.0;
 constexpr double kLetterAway = 16.0;  ///< from the end of the labelled S to the letter's middle
 constexpr double kDash = 5.0;
 constexpr double kLeastRadius = 40.0;  ///< pixels; a smaller sphere shows no sizes
+constexpr double kLeastBand = 12.0;    ///< on the sphere; edges of narrower bands are drawn on the sphere alone
+constexpr float kPale = 0.65f;         ///< the background's share in the colour of bands' edges
 
 constexpr uint32_t kOnDark = 0x46DC8C, kOnLight = 0x0A7A3C;
 
@@ -44,7 +47,8 @@ constexpr std::array<std::array<double, 2>, 15> kLetter{{{0.58, 0.68},
 
 class SizeLines {
 public:
-    explicit SizeLines(const OverlayContext& context) : m_context(context), m_colour(sizeColour(context.style.background)) {}
+    SizeLines(const OverlayContext& context, const std::optional<uint32_t>& sector)
+        : m_context(context), m_colour(sizeColour(context.style.background)), m_sector(sector) {}
 
     void add(const MapSnapshot& map) {
         const MapPlace place(m_context.scene, map);
@@ -52,24 +56,30 @@ public:
         const double pixels =
             pixelsOf(m_context.viewing, place.world(Vec3(0.0)), m_context.scene.instanceSphere(map.decision.instance).radius);
         if (pixels < kLeastRadius * m_context.style.unit) return;
-        const uint32_t sector = shownSector(m_context, map);
+        const uint32_t sector = m_sector.value_or(shownSector(m_context, map));
         addSector(map, place, sector, radius, piecesOfCircle(pixels));
+        addBandEdges(map, place, sector, radius, pixels);
         const Vec3 axis = radius * map.decision.bands->axis;
         m_axes.push_back({place.world(axis), place.world(-axis), m_context.contrast});
         addMark(m_marks, m_context, place.world(axis), kMarkRadius, MarkShape::Ring, m_context.contrast);
         addMark(m_marks, m_context, place.world(-axis), kMarkRadius, MarkShape::Dot, m_context.contrast);
         const std::vector<SizePlace> sizes = map.decision.bands->slopes ? heightsOf(map, sector) : sizePlaces(map, sector);
-        for (const SizePlace& size : sizes) addSize(place.world(size.foot), place.world(size.surface), size.drawn);
-        const auto largest = std::ranges::max_element(sizes, {}, &SizePlace::size);
-        if (largest != sizes.end()) addLetter(place.world(largest->foot), place.world(largest->surface));
+        for (const SizePlace& size : sizes) addSize(place.world(size.foot), place.world(size.surface), size);
+        const auto largest =
+            std::ranges::max_element(sizes, {}, [](const SizePlace& size) { return size.larger ? 0.0 : size.size; });
+        if (largest == sizes.end()) return;
+        addLetter(place.world(largest->foot), place.world(largest->surface));
+        // The level that hides: on from the largest S, as far as the sphere reaches.
+        const Vec3& top = largest->surface;
+        const double along = glm::dot(top, map.decision.bands->axis);
+        if (std::ranges::any_of(sizes, [](const SizePlace& size) { return !size.drawn; }))
+            addDashes(m_levels, place.world(top), place.world(top - (along + radius) * map.decision.bands->axis), m_colour);
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {
-        return {{std::move(m_sectors), {kSectorWidth, true}},
-                {std::move(m_axes), {kAxisWidth, false}, true},
-                {std::move(m_marks), {kSizeWidth, false}, true},
-                {std::move(m_sizes), {kSizeWidth, false}, true},
-                {std::move(m_letters), {kLetterWidth, false}, true}};
+        return {{std::move(m_sectors), {kSectorWidth, true}},    {std::move(m_axes), {kAxisWidth, false}, true},
+                {std::move(m_marks), {kSizeWidth, false}, true}, {std::move(m_levels), {kLevelWidth, false}},
+                {std::move(m_sizes), {kSizeWidth, false}, true}, {std::move(m_letters), {kLetterWidth, false}, true}};
     }
 
 private:
@@ -80,6 +90,23 @@ private:
             const double beta = side * kTurn / bands.sectors;
             const auto at = [&](int i) { return place.world(radius * bands.direction(std::numbers::pi * i / pieces, beta)); };
             for (int i = 0; i < pieces; ++i) m_sectors.push_back({at(i), at(i + 1), m_colour});
+        }
+    }
+
+    /// The edges of bands: on the sphere across the sector, and where they are wide enough from the centre to the sphere.
+    void addBandEdges(const MapSnapshot& map, const MapPlace& place, uint32_t sector, double radius, double pixels) {
+        constexpr int kPieces = 4;
+        const ContourBands& bands = *map.decision.bands;
+        const Vec3f pale = glm::mix(m_colour, m_context.style.background, kPale);
+        const double step = kTurn / bands.sectors;
+        for (uint32_t band = 1; band < bands.bands; ++band) {
+            const auto at = [&](double share) {
+                return place.world(radius * bands.direction(band * bands.width, (sector + share) * step));
+            };
+            for (int i = 0; i < kPieces; ++i)
+                m_sectors.push_back({at(double(i) / kPieces), at(double(i + 1) / kPieces), m_colour});
+            if (bands.width * pixels >= kLeastBand * m_context.style.unit)
+                m_sectors.push_back({place.world(Vec3(0.0)), at(0.5), pale});
         }
     }
 
@@ -100,15 +127,19 @@ private:
         return sizes;
     }
 
-    void addSize(const Vec3& foot, const Vec3& surface, bool drawn) {
-        const int dashes =
-            drawn
-                ? 1
-                : int(pixelsOf(m_context.viewing, foot, glm::length(surface - foot)) / (2.0 * kDash * m_context.style.unit)) + 1;
-        for (int dash = 0; dash < dashes; ++dash) {
-            const double from = drawn ? 0.0 : double(dash) / dashes, to = drawn ? 1.0 : (dash + 0.5) / dashes;
-            m_sizes.push_back({glm::mix(foot, surface, from), glm::mix(foot, surface, to), m_colour});
-        }
+    void addSize(const Vec3& foot, const Vec3& surface, const SizePlace& size) {
+        if (size.drawn)
+            m_sizes.push_back({foot, surface, m_colour});
+        else
+            addDashes(m_sizes, foot, surface,
+                      size.larger ? m_context.palette[size_t(TriangleState::WronglyCulled)].colour : m_colour);
+    }
+
+    void addDashes(std::vector<LineSegment>& lines, const Vec3& from, const Vec3& to, const Vec3f& colour) const {
+        const double pixels = pixelsOf(m_context.viewing, from, glm::length(to - from));
+        const int dashes = int(pixels / (2.0 * kDash * m_context.style.unit)) + 1;
+        for (int dash = 0; dash < dashes; ++dash)
+            lines.push_back({glm::mix(from, to, double(dash) / dashes), glm::mix(from, to, (dash + 0.5) / dashes), colour});
     }
 
     void addLetter(const Vec3& foot, const Vec3& surface) {
@@ -128,7 +159,8 @@ private:
 
     const OverlayContext& m_context;
     Vec3f m_colour;
-    std::vector<LineSegment> m_sectors, m_axes, m_marks, m_sizes, m_letters;
+    std::optional<uint32_t> m_sector;
+    std::vector<LineSegment> m_sectors, m_axes, m_marks, m_levels, m_sizes, m_letters;
 };
 
 }  // namespace
@@ -152,7 +184,11 @@ std::vector<SizePlace> sizePlaces(const MapSnapshot& map, uint32_t sector) {
         if (size > place.size) place = {entry / bands.sectors, size, farthest * along * bands.axis, farthest * middle};
     }
     std::erase_if(largest, [](const SizePlace& place) { return place.size <= 0.0; });
-    for (SizePlace& place : largest) place.drawn = bands.at(place.band, sector).drawn || bands.at(place.band, sector).within;
+    for (SizePlace& place : largest) {
+        const BandSector& entry = bands.at(place.band, sector);
+        place.drawn = entry.drawn || entry.within;
+        place.larger = !place.drawn && entry.size > entry.horizon;
+    }
     return largest;
 }
 
@@ -175,8 +211,9 @@ uint32_t shownSector(const OverlayContext& context, const MapSnapshot& map) {
     return extent(sectors[0]) >= extent(sectors[1]) ? sectors[0] : sectors[1];
 }
 
-std::vector<OverlayLines> sizeOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps) {
-    SizeLines lines(context);
+std::vector<OverlayLines> sizeOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps,
+                                      const std::optional<uint32_t>& sector) {
+    SizeLines lines(context, sector);
     for (const MapSnapshot& map : maps)
         if (map.decision.bands) lines.add(map);
     return std::move(lines).overlays();

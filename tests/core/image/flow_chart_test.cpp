@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/image/drawing_svg.h"
 #include "core/visibility/registry.h"
@@ -50,6 +52,50 @@ TEST(FlowChart, boxOfTheCurrentLineAloneIsLit) {
     EXPECT_EQ(filled(drawFlowChart(chart, 0, 700.0, height, style, colours, english), colours.lit), 0u);
     for (uint8_t line = 1; line <= 10; ++line)
         EXPECT_EQ(filled(drawFlowChart(chart, line, 700.0, height, style, colours, english), colours.lit), 1u) << int(line);
+}
+
+/// A log whose decisions fell at these lines.
+FrameLog logAt(const std::vector<uint8_t>& lines) {
+    FrameLog log;
+    for (const uint8_t line : lines) log.decisions.emplace_back().line = line;
+    return log;
+}
+
+TEST(FlowChart, wayLeadsPastTheBoxesOfTheDecisionsAndTheQuestionsBetweenThem) {
+    const FlowChart& chart = chartOfSpherical();
+    const auto arrowsOf = [&](const FlowWay& way) {
+        std::set<std::pair<size_t, size_t>> arrows;
+        for (size_t i = 0; i < chart.arrows.size(); ++i)
+            if (way.passesArrow(i)) arrows.insert({chart.arrows[i].from, chart.arrows[i].to});
+        return arrows;
+    };
+    // The boxes in their order: vertices, maps, sphere, outside, around, inside?, rays, search, hit?, region, boxes, bands, draw,
+    // pipeline.
+    const std::set<std::pair<size_t, size_t>> toQuestion{{0, 1}, {1, 2}, {2, 5}};
+    auto hits = toQuestion, misses = toQuestion, inside = toQuestion;
+    hits.insert({{5, 6}, {6, 7}, {7, 8}, {8, 9}, {9, 10}, {10, 13}});
+    misses.insert({{5, 6}, {6, 7}, {7, 8}, {8, 11}, {11, 12}, {12, 13}});
+    inside.insert({{5, 11}, {11, 12}, {12, 13}});
+    EXPECT_EQ(arrowsOf(flowWay(chart, logAt({1, 2, 5, 6, 6, 7, 8}), true)), hits);
+    EXPECT_EQ(arrowsOf(flowWay(chart, logAt({1, 2, 5, 6, 9, 10}), true)), misses);
+    EXPECT_EQ(arrowsOf(flowWay(chart, logAt({1, 2, 9, 9, 10}), true)), inside);
+    hits.erase({10, 13});
+    EXPECT_EQ(arrowsOf(flowWay(chart, logAt({1, 2, 5, 6, 6, 7, 8}), false)), hits) << "before the frame has ended";
+    const FlowWay none = flowWay(chart, logAt({}), false);
+    EXPECT_EQ(std::ranges::count(none.boxes, true), 0);
+    // A second object begins anew at its sphere: no arrow leads back there.
+    EXPECT_EQ(arrowsOf(flowWay(chart, logAt({1, 2, 3, 2, 4}), true)),
+              (std::set<std::pair<size_t, size_t>>{{0, 1}, {1, 2}, {2, 3}, {2, 4}}));
+}
+
+TEST(FlowChart, passedBoxesAreDrawnInTheirColour) {
+    const FlowChart& chart = chartOfSpherical();
+    const FlowColours colours;
+    double height = 0.0;
+    const FlowWay way = flowWay(chart, logAt({1, 2, 5}), false);
+    const PlotDrawing drawing = drawFlowChart(chart, 5, 700.0, height, svgStyle(), colours, english, way);
+    EXPECT_EQ(filled(drawing, colours.lit), 1u);
+    EXPECT_EQ(filled(drawing, colours.passed), size_t(std::ranges::count(way.boxes, true)) - 1) << "all but the one in hand";
 }
 
 TEST(FlowChart, wordsStayWithinTheWidthAndTheHeight) {

@@ -25,5 +25,19 @@ TEST(Canvas, transparentBackgroundIsNotBlendedIn) {
     EXPECT_EQ(rgba[15], 0);
 }
 
+TEST(Canvas, polygonIsFilledByTheEvenOddRule) {
+    Canvas canvas({12, 12}, Vec3f(1.0f), 1.0f);
+    // A square with a square within it, as one line.
+    canvas.fill(std::array{Vec2(1, 1), Vec2(11, 1), Vec2(11, 11), Vec2(1, 11), Vec2(1, 1), Vec2(4, 4), Vec2(4, 8), Vec2(8, 8),
+                           Vec2(8, 4), Vec2(4, 4)},
+                Vec3f(0.0f), 1.0);
+    const std::vector<uint8_t> rgba = canvas.rgba();
+    for (int y = 0; y < 12; ++y)
+        for (int x = 0; x < 12; ++x) {
+            const bool outer = x >= 1 && x < 11 && y >= 1 && y < 11, inner = x >= 4 && x < 8 && y >= 4 && y < 8;
+            EXPECT_EQ(rgba[4 * (size_t(11 - y) * 12 + size_t(x))], outer && !inner ? 0 : 255) << x << ", " << y;
+        }
+}
+
 }  // namespace
 }  // namespace cullscope::test::canvas_test
