@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -129,6 +130,51 @@ void countByObject(Accuracy& accuracy, const Reference& reference, const DrawLis
     }
 }
 
+/// The objects of ascending triangles or intervals of them, ascending and each once.
+std::vector<size_t> objectsOf(const std::vector<uint32_t>& ascending, const Scene& scene) {
+    std::vector<size_t> objects;
+    for (const uint32_t triangle : ascending)
+        if (objects.empty() || triangle >= scene.firstTriangle(objects.back() + 1)) objects.push_back(scene.instanceOf(triangle));
+    return objects;
+}
+std::vector<size_t> objectsOf(const TriangleIntervals& intervals, const Scene& scene) {
+    std::vector<size_t> objects;
+    for (const auto& [first, end] : intervals)
+        for (uint64_t triangle = first; triangle < end; triangle = scene.firstTriangle(objects.back() + 1))
+            if (const size_t object = scene.instanceOf(triangle); objects.empty() || object != objects.back())
+                objects.push_back(object);
+    return objects;
+}
+
+void countObjects(Accuracy& accuracy, const Reference& reference, const TriangleIntervals& given, const Scene& scene) {
+    const std::vector<size_t> visible = objectsOf(reference.visibleTriangles, scene), drawn = objectsOf(given, scene);
+    std::vector<size_t> both;
+    std::ranges::set_intersection(visible, drawn, std::back_inserter(both));
+    for (size_t object = 0; object < scene.instances().size(); ++object)
+        if (scene.firstTriangle(object + 1) > scene.firstTriangle(object)) ++accuracy.sceneObjects;
+    accuracy.sceneTriangles = scene.triangleCount();
+    accuracy.visibleObjects = visible.size();
+    accuracy.submittedObjects = drawn.size();
+    accuracy.falselyCulledObjects = visible.size() - both.size();
+    accuracy.needlesslyDrawnObjects = drawn.size() - both.size();
+}
+
+void countOutline(Accuracy& accuracy, const Reference& reference, const ShownPixels& shown) {
+    const auto width = size_t(reference.size.width), height = size_t(reference.size.height);
+    accuracy.pixels = width * height;
+    for (size_t pixel = 0; pixel < reference.triangle.size(); ++pixel) {
+        const bool truly = reference.triangle[pixel] != 0;
+        const bool covered = shown.triangle.empty() ? shown.depth[pixel] > 0.0f : shown.triangle[pixel] != 0;
+        if (truly != covered) ++accuracy.differentlyCovered;
+        if (!truly) continue;
+        const size_t x = pixel % width, y = pixel / width;
+        const auto open = [&](bool within, size_t neighbour) { return within && reference.triangle[neighbour] == 0; };
+        if (open(x > 0, pixel - 1) || open(x + 1 < width, pixel + 1) || open(y > 0, pixel - width) ||
+            open(y + 1 < height, pixel + width))
+            ++accuracy.outlinePixels;
+    }
+}
+
 }  // namespace
 
 Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene) {
@@ -144,6 +190,8 @@ Accuracy compare(const Reference& reference, const ShownPixels& shown, const Dra
     if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
 
     const TriangleIntervals given = submittedIntervals(scene, drawn);
+    countObjects(accuracy, reference, given, scene);
+    countOutline(accuracy, reference, shown);
     accuracy.submittedTriangles = triangleCount(given);
     accuracy.visibleTriangles = reference.visibleTriangles.size();
     if (shown.objects) {
@@ -163,11 +211,18 @@ std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& s
 }
 
 std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference, const std::vector<uint8_t>& missed) {
-    std::map<uint32_t, uint64_t> pixels;
+    std::vector<uint32_t> pixels;
     for (size_t i = 0; i < missed.size(); ++i)
-        if (missed[i] != 0 && reference.triangle[i] != 0) ++pixels[uint32_t(scene.instanceOf(reference.triangle[i] - 1))];
+        if (missed[i] != 0) pixels.push_back(uint32_t(i));
+    return lostObjects(scene, reference, pixels);
+}
+
+std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference, const std::vector<uint32_t>& pixels) {
+    std::map<uint32_t, uint64_t> counts;
+    for (const uint32_t pixel : pixels)
+        if (reference.triangle[pixel] != 0) ++counts[uint32_t(scene.instanceOf(reference.triangle[pixel] - 1))];
     std::vector<LostObject> objects;
-    for (const auto& [instance, count] : pixels) objects.push_back({instance, count});
+    for (const auto& [instance, count] : counts) objects.push_back({instance, count});
     std::ranges::stable_sort(objects, std::ranges::greater(), &LostObject::pixels);
     return objects;
 }
@@ -261,15 +316,21 @@ uint32_t sceneTriangleAt(const ShownPixels& shown, size_t pixel) {
 
 }  // namespace
 
-uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
-    uint64_t beyond = 0;
+std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
+                                                 const View& view) {
+    std::vector<uint32_t> beyond;
     for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Missed || reference.triangle[pixel] == 0) continue;
         const double gap = double(reference.depth[pixel]) - double(shown.depth[pixel]);
         const uint32_t other = sceneTriangleAt(shown, pixel);
-        if (!snappingExplains(scene, view, reference.triangle[pixel], other, pixel, gap, reference.depth[pixel])) ++beyond;
+        if (!snappingExplains(scene, view, reference.triangle[pixel], other, pixel, gap, reference.depth[pixel]))
+            beyond.push_back(uint32_t(pixel));
     }
     return beyond;
+}
+
+uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
+    return pixelsMissedBeyondSnapping(reference, shown, scene, view).size();
 }
 
 uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
@@ -290,8 +351,16 @@ JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLo
     judged.shown = shownPixels(renderer, buffers, log, target);
     judged.accuracy = compare(reference, judged.shown, drawnTriangles(scene, log), scene);
     judged.ownRaster = !log.drawsScene();
-    if (judged.ownRaster || log.facing != reference.facing)
-        judged.missedBeyondSnapping = missedBeyondSnapping(reference, judged.shown, scene, View(log.camera, log.size));
+    if (judged.ownRaster || log.facing != reference.facing) {
+        const View view(log.camera, log.size);
+        judged.lost = pixelsMissedBeyondSnapping(reference, judged.shown, scene, view);
+        judged.missedBeyondSnapping = judged.lost.size();
+        if (judged.ownRaster) judged.extraBeyondSnapping = extraBeyondSnapping(reference, judged.shown, scene, view);
+    } else if (judged.accuracy.missedPixels > 0) {
+        const std::vector<uint8_t> missed = missedMask(reference, judged.shown);
+        for (size_t pixel = 0; pixel < missed.size(); ++pixel)
+            if (missed[pixel] != 0) judged.lost.push_back(uint32_t(pixel));
+    }
     return judged;
 }
 

@@ -1,6 +1,7 @@
 // The strategy `oracle`: exactly what is visible, in no more time than drawing it takes.
 #include <gmock/gmock.h>
 
+#include "core/base/error.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/measure/render_frame.h"
