@@ -33,6 +33,9 @@ void addStabilityCommand(CLI::App& app, Context& context);
 void addSuiteCommand(CLI::App& app, Context& context);
 void addJudgeCommand(CLI::App& app, Context& context);
 void addCertifyCommand(CLI::App& app, Context& context);
+void addAdviseCommand(CLI::App& app, Context& context);
+void addRaceCommand(CLI::App& app, Context& context);
+void addWorstCommand(CLI::App& app, Context& context);
 
 /// A progress bar on standard error where that is a terminal; none in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);
@@ -93,6 +96,8 @@ struct RunOptions {
     [[nodiscard]] CameraPath viewsOf(const Scene& scene, const Progress& progress) const;
 };
 void addRunOptions(CLI::App& command, RunOptions& options);
+/// Those of them that say which views: path, lens, projection and size.
+void addViewOptions(CLI::App& command, RunOptions& options);
 /// --no-limit: without the run of limitOfCulling(), and so without shares of the headroom.
 void addLimitOption(CLI::App& command, bool& noLimit);
 /// `--fovx`.

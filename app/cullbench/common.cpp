@@ -184,7 +184,7 @@ void addLimitOption(CLI::App& command, bool& noLimit) {
     command.add_flag("--no-limit", noLimit, "without the limit of culling, and so without shares of the headroom");
 }
 
-void addRunOptions(CLI::App& command, RunOptions& options) {
+void addViewOptions(CLI::App& command, RunOptions& options) {
     command.add_option(
         "--path", options.path,
         "camera path: file or built-in name (default: tour:16 where one stands in the scene, else fibonacci:16 for one "
@@ -192,6 +192,10 @@ void addRunOptions(CLI::App& command, RunOptions& options) {
     addFieldOption(command, options.fovx);
     addProjectionOptions(command, options.projection);
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+}
+
+void addRunOptions(CLI::App& command, RunOptions& options) {
+    addViewOptions(command, options);
     command.add_option("--windows", options.windows, "pictures a frame: 1, 4 or 8")
         ->check(CLI::IsMember({1, 4, 8}))
         ->capture_default_str();

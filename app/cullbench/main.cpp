@@ -82,6 +82,9 @@ int run(int argc, char** argv) {
     addSuiteCommand(app, context);
     addJudgeCommand(app, context);
     addCertifyCommand(app, context);
+    addAdviseCommand(app, context);
+    addRaceCommand(app, context);
+    addWorstCommand(app, context);
     refuseEmptyValues(app);
     try {
         refuseEmptyAssignments(argc, argv);

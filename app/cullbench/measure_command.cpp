@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/experiments/result_file.h"
 #include "core/gpu/context.h"
+#include "core/measure/field_figures.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -91,6 +92,39 @@ std::string headroomText(const std::optional<RatioEstimate>& share) {
 
 std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", baselineOf(role).id); }
 
+/// "0.012 [0.010,0.020]", or "-" where there is nothing to count.
+std::string fieldText(const RunMeasurement& run, size_t place) {
+    const std::optional<RatioEstimate>& estimate = run.summary.field[place];
+    const FieldFigure& figure = fieldFigures()[place];
+    if (!estimate) return "-";
+    const auto number = [&](double value) { return fmt::format("{:.{}f}", value * figure.scale, figure.decimals); };
+    if (estimate->ratio == 0.0) return "0";
+    if (!estimate->hasInterval) return number(estimate->ratio);
+    return fmt::format("{} [{},{}]", number(estimate->ratio), number(estimate->ci95[0]), number(estimate->ci95[1]));
+}
+
+/// The errors in the field's terms: a row a figure, a column a strategy.
+void printFieldFigures(const MeasureResult& result, FILE* out) {
+    std::vector<const RunMeasurement*> runs;
+    for (const RunMeasurement& run : result.runs)
+        if (!run.summary.field.empty()) runs.push_back(&run);
+    if (runs.empty()) return;
+    std::string line = fmt::format("{:<40}", "errors [95 %]");
+    for (const RunMeasurement* run : runs) line += fmt::format(" {:>26}", strategyLabel(run->strategy));
+    say(out, "{}\n", line);
+    for (size_t place = 0; place < fieldFigures().size(); ++place) {
+        line = fmt::format("{:<40}", fieldFigures()[place].title);
+        for (const RunMeasurement* run : runs) line += fmt::format(" {:>26}", fieldText(*run, place));
+        say(out, "{}\n", line);
+    }
+    line = fmt::format("{:<40}", "views that lose something");
+    for (const RunMeasurement* run : runs) {
+        const size_t views = run->frames.size(), losing = framesWithLoss(run->frames);
+        line += fmt::format(" {:>26}", losing == 0 ? fmt::format("0 (< 3/{})", views) : fmt::format("{} of {}", losing, views));
+    }
+    say(out, "{}\n", line);
+}
+
 void printTable(const MeasureResult& result, FILE* out) {
     const Scene& scene = *result.request.scene;
     say(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
@@ -115,6 +149,7 @@ void printTable(const MeasureResult& result, FILE* out) {
     const bool limitToo =
         result.limit && std::ranges::find(result.runs, result.limit->strategy, &RunMeasurement::strategy) == result.runs.end();
     if (limitToo) row(*result.limit);
+    printFieldFigures(result, out);
     for (const RunMeasurement& run : result.runs)
         if (const std::string snapped = withinSnapping(run); !snapped.empty())
             say(out, "{}: {}\n", strategyLabel(run.strategy), snapped);

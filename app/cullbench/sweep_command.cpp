@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include "app/cullbench/commands.h"
@@ -8,6 +9,7 @@
 #include "app/cullbench/tables.h"
 #include "core/base/error.h"
 #include "core/experiments/sweeps.h"
+#include "core/experiments/trade_plot.h"
 #include "core/gpu/context.h"
 
 namespace cullscope::cullbench {
@@ -19,6 +21,7 @@ struct SweepOptions {
     TableFiles files;
     std::vector<std::string> strategies, parameters, varied;
     bool noLimit = false;
+    std::string across = kUsualAcross, up = kUsualUp;
 };
 
 std::vector<std::string> valuesFromText(const std::string& text) {
@@ -81,9 +84,26 @@ Experiment experimentOf(const SweepOptions& options) {
     return sweepExperiment(sweeps, beside);
 }
 
+/// Every file is tried.
+void write(const SweepOptions& options, const std::vector<ResultTable>& tables, const TradePlot& trade) {
+    std::vector<ResultTable> drawn = tables;
+    LinePlot plot = trade.plot({});
+    plot.title = tables.front().title;
+    drawn.front().plots = {std::move(plot)};
+    std::optional<Error> failure;
+    try {
+        writeTables({{}, {}, options.files.svg, {}}, drawn);
+    } catch (const Error& error) {
+        failure = error;
+    }
+    writeTables({options.files.json, options.files.csv, {}, {}}, tables);
+    if (failure) throw *failure;
+}
+
 void run(const SweepOptions& options, Context& context) {
     // What can be wrong with the words is said before a long load.
     Experiment experiment = experimentOf(options);
+    const TradeFigure &across = tradeFigure(options.across), &up = tradeFigure(options.up);
     Setting& setting = experiment.settings.front();
     setting.size = options.run.viewport();
     setting.windows = options.run.windows;
@@ -100,7 +120,7 @@ void run(const SweepOptions& options, Context& context) {
     const std::vector<ResultTable> tables{
         runExperiment(experiment, {{}, options.run.repeat}, terminalProgress(context), {}, stage)};
     clearProgress();
-    writeTables(options.files, tables);
+    write(options, tables, TradePlot(tradePoints(tables.front()), across, up));
     context.exitStatus = tableStatus(tables);
     printText(tableOutput(options.files), tableText(tables.front()));
 }
@@ -118,7 +138,10 @@ void addSweepCommand(CLI::App& app, Context& context) {
     addLimitOption(*command, options->noLimit);
     command->add_option("--json", options->files.json, "result file; - is standard output");
     command->add_option("--csv", options->files.csv, "result file with one row a value; - is standard output");
-    command->add_option("--svg", options->files.svg, "the plot of speed against losses; - is standard output");
+    command->add_option("--svg", options->files.svg,
+                        "the plot of losses against speed, or of --y against --x; - is standard output");
+    command->add_option("--x", options->across, "figure across in the plot, by its name in the files")->capture_default_str();
+    command->add_option("--y", options->up, "figure upwards in the plot, by its name in the files")->capture_default_str();
     command->callback([options, &context] { run(*options, context); });
 }
 

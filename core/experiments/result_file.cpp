@@ -6,7 +6,7 @@
 
 #include "core/base/terminal_text.h"
 #include "core/base/version.h"
-#include "core/measure/accuracy.h"
+#include "core/measure/field_figures.h"
 
 namespace cullscope {
 namespace {
@@ -51,6 +51,19 @@ Json frameJson(const FrameMeasurement& frame) {
     json["false_culled_triangles"] = figure(&Accuracy::falselyCulledTriangles);
     json["needlessly_drawn_triangles"] = figure(&Accuracy::needlesslyDrawnTriangles);
     json["missed_beyond_snapping"] = frame.accuracy ? Json(frame.missedBeyondSnapping) : Json(nullptr);
+    json["pixels"] = figure(&Accuracy::pixels);
+    json["visible_objects"] = figure(&Accuracy::visibleObjects);
+    json["submitted_objects"] = figure(&Accuracy::submittedObjects);
+    json["false_culled_objects"] = figure(&Accuracy::falselyCulledObjects);
+    json["needlessly_drawn_objects"] = figure(&Accuracy::needlesslyDrawnObjects);
+    json["outline_px"] = figure(&Accuracy::outlinePixels);
+    json["differently_covered_px"] = figure(&Accuracy::differentlyCovered);
+    const auto judged = [&](auto value) { return frame.accuracy ? Json(value) : Json(nullptr); };
+    json["lost_pixels"] = judged(frame.lostPixels);
+    json["lost_objects"] = judged(frame.lostObjects.size());
+    json["toggled_pixels"] = judged(frame.toggledPixels);
+    json["image_difference_mean"] = judged(meanDifference(frame.pictureDifferences));
+    json["image_difference_p99"] = judged(differenceQuantile(frame.pictureDifferences, 0.99));
     json["stages_ms"] = Json::object();
     for (const Stage& stage : frame.stages) json["stages_ms"][stage.name] = stage.milliseconds;
     json["parts"] = Json::object();
@@ -62,29 +75,42 @@ Json frameJson(const FrameMeasurement& frame) {
 
 Json intervalJson(const RatioEstimate& estimate) { return estimate.hasInterval ? Json(estimate.ci95) : Json(nullptr); }
 
+/// The field's figures with their intervals; null where they were not counted.
+void addFieldFigures(Json& json, const Summary& summary) {
+    for (size_t i = 0; i < fieldFigures().size(); ++i) {
+        const std::optional<RatioEstimate> estimate = i < summary.field.size() ? summary.field[i] : std::nullopt;
+        const std::string key = fieldFigures()[i].key;
+        json[key] = estimate ? Json(estimate->ratio) : Json(nullptr);
+        json[key + "_ci95"] = estimate ? intervalJson(*estimate) : Json(nullptr);
+    }
+    json["views_with_loss_below"] = summary.lossBelow ? Json(*summary.lossBelow) : Json(nullptr);
+}
+
 Json summaryJson(const Summary& summary) {
-    return {{"fps_overall", summary.fpsOverall},
-            {"fps_mean", summary.fpsMean},
-            {"fps_min", summary.fpsMin},
-            {"fps_max", summary.fpsMax},
-            {"frame_ms_median", summary.frameMillisecondsMedian},
-            {"frame_ms_p95", summary.frameMillisecondsP95},
-            {"frame_ms_p99", summary.frameMillisecondsP99},
-            {"cull_share", summary.cullShare},
-            {"culled_fraction", summary.culledFraction},
-            {"missed_pixel_rate", summary.missedPixelRate ? Json(*summary.missedPixelRate) : Json(nullptr)},
-            {"ratio_to_same_sides", summary.ratioToOwnRule.ratio},
-            {"ratio_to_same_sides_ci95", intervalJson(summary.ratioToOwnRule)},
-            {"headroom_share", summary.headroomShare ? Json(summary.headroomShare->ratio) : Json(nullptr)},
-            {"headroom_share_ci95", summary.headroomShare ? intervalJson(*summary.headroomShare) : Json(nullptr)},
-            {"ratio_to_all", summary.ratioToTriangles.ratio},
-            {"ratio_to_all_ci95", intervalJson(summary.ratioToTriangles)},
-            {"ratio_to_backface", summary.ratioToFrontFaces.ratio},
-            {"ratio_to_backface_ci95", intervalJson(summary.ratioToFrontFaces)},
-            {"speedup_vs_all", summary.speedupVsTriangles.ratio},
-            {"speedup_vs_all_ci95", intervalJson(summary.speedupVsTriangles)},
-            {"speedup_vs_backface", summary.speedupVsFrontFaces.ratio},
-            {"speedup_vs_backface_ci95", intervalJson(summary.speedupVsFrontFaces)}};
+    Json json{{"fps_overall", summary.fpsOverall},
+              {"fps_mean", summary.fpsMean},
+              {"fps_min", summary.fpsMin},
+              {"fps_max", summary.fpsMax},
+              {"frame_ms_median", summary.frameMillisecondsMedian},
+              {"frame_ms_p95", summary.frameMillisecondsP95},
+              {"frame_ms_p99", summary.frameMillisecondsP99},
+              {"cull_share", summary.cullShare},
+              {"culled_fraction", summary.culledFraction},
+              {"missed_pixel_rate", summary.missedPixelRate ? Json(*summary.missedPixelRate) : Json(nullptr)},
+              {"ratio_to_same_sides", summary.ratioToOwnRule.ratio},
+              {"ratio_to_same_sides_ci95", intervalJson(summary.ratioToOwnRule)},
+              {"headroom_share", summary.headroomShare ? Json(summary.headroomShare->ratio) : Json(nullptr)},
+              {"headroom_share_ci95", summary.headroomShare ? intervalJson(*summary.headroomShare) : Json(nullptr)},
+              {"ratio_to_all", summary.ratioToTriangles.ratio},
+              {"ratio_to_all_ci95", intervalJson(summary.ratioToTriangles)},
+              {"ratio_to_backface", summary.ratioToFrontFaces.ratio},
+              {"ratio_to_backface_ci95", intervalJson(summary.ratioToFrontFaces)},
+              {"speedup_vs_all", summary.speedupVsTriangles.ratio},
+              {"speedup_vs_all_ci95", intervalJson(summary.speedupVsTriangles)},
+              {"speedup_vs_backface", summary.speedupVsFrontFaces.ratio},
+              {"speedup_vs_backface_ci95", intervalJson(summary.speedupVsFrontFaces)}};
+    addFieldFigures(json, summary);
+    return json;
 }
 
 /// The fields of a run besides its frames; also the first columns of its CSV rows.

@@ -236,7 +236,8 @@ std::string tableText(const ResultTable& table) {
     const auto line = [&](const auto& textOf) {
         std::string text;
         for (size_t i = 0; i < table.columns.size(); ++i)
-            text += (i > 0 ? "  " : "") + padded(textOf(i), widths[i], table.columns[i].origin == ResultColumn::Origin::Axis);
+            if (!table.columns[i].filesOnly)
+                text += (i > 0 ? "  " : "") + padded(textOf(i), widths[i], table.columns[i].origin == ResultColumn::Origin::Axis);
         return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
     };
     std::string text = table.experiment + ": " + table.title + "\n";

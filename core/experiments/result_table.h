@@ -32,8 +32,9 @@ struct ResultColumn {
     std::string key;    ///< field in JSON and CSV
     std::string title;  ///< English, marked for translation where it is shown in the desktop
     Origin origin = Origin::Measured;
-    int decimals = 0;    ///< digits after the point on screen
-    double scale = 1.0;  ///< factor of numbers on screen: 100 for a share in per cent
+    int decimals = 0;        ///< digits after the point on screen
+    double scale = 1.0;      ///< factor of numbers on screen: 100 for a share in per cent
+    bool filesOnly = false;  ///< not in tables as text, which have no room for it
 };
 
 /// A check of an experiment, held against its table.

@@ -1,6 +1,6 @@
 #include "core/experiments/run_rows.h"
 
-#include "core/measure/statistics.h"
+#include "core/measure/field_figures.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
@@ -13,6 +13,8 @@ void addLosses(Row& cells, const RunMeasurement& run) {
     cells["largest_hole_px"] = double(losses->largestHolePixels);
     if (losses->beyondSnapping) cells["missed_beyond_snapping"] = double(losses->missedBeyondSnapping);
     if (losses->worstPose) cells["worst_pose"] = double(*losses->worstPose);
+    for (size_t i = 0; i < run.summary.field.size(); ++i)
+        if (const std::optional<RatioEstimate>& figure = run.summary.field[i]) cells[fieldFigures()[i].key] = *figure;
     if (run.summary.missedPixelRate) cells["missed_pixel_rate"] = *run.summary.missedPixelRate;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/experiments/run_rows.h"
+#include "core/measure/field_figures.h"
 #include "core/visibility/registry.h"
 #include "core/visibility/strategy_request.h"
 
@@ -15,29 +16,38 @@ Axis axisOf(const ParameterSweep& sweep) {
     return {sweep.key, sweep.key, Axis::Kind::Parameter, {sweep.values.begin(), sweep.values.end()}, sweep.strategy};
 }
 
+/// Of the field's figures those for which a table on screen has room.
+bool inText(std::string_view key) {
+    return key == "triangle_false_negative_rate" || key == "triangle_false_positive_rate" || key == "pixel_error_rate" ||
+           key == "popping_events_per_1000_frames";
+}
+
 std::vector<ResultColumn> sweepColumns() {
-    return {{"strategy", CULLSCOPE_TR("strategy"), Origin::Axis},
-            {"parameter", CULLSCOPE_TR("parameter"), Origin::Axis},
-            {"value", CULLSCOPE_TR("value"), Origin::Axis},
-            {"fps_overall", CULLSCOPE_TR("fps, all views"), Origin::Measured, 1},
-            {"ratio_to_same_sides", CULLSCOPE_TR("× same sides [95 %]"), Origin::Measured, 2},
-            {"same_sides_baseline", CULLSCOPE_TR("baseline, same sides"), Origin::Measured},
-            {"headroom_share", CULLSCOPE_TR("of the headroom, % [95 %]"), Origin::Measured, 0, 100.0},
-            {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
-            {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
-            {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
-            {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
-            {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},
-            {"cull_share", CULLSCOPE_TR("culling, % of the frame"), Origin::Measured, 2, 100.0},
-            {"promise", CULLSCOPE_TR("promise"), Origin::Measured},
-            {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
-            {"missed_beyond_snapping", CULLSCOPE_TR("beyond snapping, px"), Origin::Measured},
-            {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
-            {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured},
-            {"worst_pose", CULLSCOPE_TR("worst view"), Origin::Measured},
-            {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1},
-            {"structure_bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
-            {"poses", CULLSCOPE_TR("views"), Origin::Measured}};
+    std::vector<ResultColumn> columns{{"strategy", CULLSCOPE_TR("strategy"), Origin::Axis},
+                                      {"parameter", CULLSCOPE_TR("parameter"), Origin::Axis},
+                                      {"value", CULLSCOPE_TR("value"), Origin::Axis},
+                                      {"fps_overall", CULLSCOPE_TR("fps, all views"), Origin::Measured, 1},
+                                      {"ratio_to_same_sides", CULLSCOPE_TR("× same sides [95 %]"), Origin::Measured, 2},
+                                      {"same_sides_baseline", CULLSCOPE_TR("baseline, same sides"), Origin::Measured},
+                                      {"headroom_share", CULLSCOPE_TR("of the headroom, % [95 %]"), Origin::Measured, 0, 100.0},
+                                      {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
+                                      {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+                                      {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
+                                      {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
+                                      {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},
+                                      {"cull_share", CULLSCOPE_TR("culling, % of the frame"), Origin::Measured, 2, 100.0},
+                                      {"promise", CULLSCOPE_TR("promise"), Origin::Measured},
+                                      {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
+                                      {"missed_beyond_snapping", CULLSCOPE_TR("beyond snapping, px"), Origin::Measured},
+                                      {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
+                                      {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured},
+                                      {"worst_pose", CULLSCOPE_TR("worst view"), Origin::Measured},
+                                      {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1},
+                                      {"structure_bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
+                                      {"poses", CULLSCOPE_TR("views"), Origin::Measured}};
+    for (const FieldFigure& figure : fieldFigures())
+        columns.push_back({figure.key, figure.title, Origin::Measured, figure.decimals, figure.scale, !inText(figure.key)});
+    return columns;
 }
 
 /// Speed against loss: a line for each sweep, a point for what lies on none.

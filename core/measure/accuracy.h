@@ -20,10 +20,23 @@ struct Accuracy {
     uint64_t falselyCulledTriangles = 0;    ///< |V∖S|
     uint64_t needlesslyDrawnTriangles = 0;  ///< |S∖V|
 
+    uint64_t pixels = 0;                  ///< of the picture
+    uint64_t sceneTriangles = 0;          ///< of the scene
+    uint64_t sceneObjects = 0;            ///< of the scene, that have triangles
+    uint64_t visibleObjects = 0;          ///< of which a triangle is visible
+    uint64_t submittedObjects = 0;        ///< of which a triangle was drawn
+    uint64_t falselyCulledObjects = 0;    ///< visible, and none of it drawn
+    uint64_t needlesslyDrawnObjects = 0;  ///< drawn, and none of it visible
+    uint64_t outlinePixels = 0;           ///< covered by the reference, with a neighbour to one side that is not
+    uint64_t differentlyCovered = 0;      ///< pixels that one of reference and picture covers, and the other does not
+
     [[nodiscard]] double missedPixelRate() const {
         return coveredPixels == 0 ? 0.0 : double(missedPixels) / double(coveredPixels);
     }
 };
+
+/// Of a depth: two units in the last place of a float, within which two surfaces are not told apart.
+constexpr double kTwoRoundings = 0x1p-22;
 
 /// What a depth sample of a picture is beside that of the truth.
 enum class PixelDifference : uint8_t {
@@ -69,14 +82,19 @@ struct ShownPixels {
 /// outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
-/// Those pixels, and the scene triangles that the reference shows there, ascending, each once. `tile`: the part of the picture
-/// that reference and picture are of; left out: all of it.
-struct PixelLosses {
+/// Those pixels, ascending, rows from the bottom. `tile`: the part of the picture that reference and picture are of; left out:
+/// all of it.
+[[nodiscard]] std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, const ShownPixels& shown,
+                                                               const Scene& scene, const View& view,
+                                                               const std::optional<PictureTile>& tile = {});
+/// The scene triangles that a reference shows at pixels, ascending, each once.
+[[nodiscard]] std::vector<uint32_t> trianglesAt(const Reference& reference, const std::vector<uint32_t>& pixels);
+
+/// An object of the scene with missed pixels.
+struct LostObject {
+    uint32_t instance = 0;
     uint64_t pixels = 0;
-    std::vector<uint32_t> triangles;
 };
-[[nodiscard]] PixelLosses lossesBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
-                                               const View& view, const std::optional<PictureTile>& tile = {});
 
 /// A frame beside the truth.
 struct JudgedFrame {
@@ -86,8 +104,9 @@ struct JudgedFrame {
     /// Set where a missed pixel may be the raster's doing: with `ownRaster`, or where the reference has another facing rule than
     /// the frame. Then it is these pixels that are lost.
     std::optional<uint64_t> missedBeyondSnapping;
-    /// With it: the triangles that the truth shows at those pixels, ascending.
-    std::optional<std::vector<uint32_t>> lostTriangles;
+    std::optional<uint64_t> extraBeyondSnapping{};         ///< likewise, of extra pixels: set with `ownRaster`
+    std::optional<std::vector<uint32_t>> lostTriangles{};  ///< with it: those that the truth shows there, ascending
+    std::vector<uint32_t> lost{};                          ///< the pixels that are lost, ascending, rows from the bottom
 
     [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
 };
@@ -112,14 +131,12 @@ struct JudgedFrame {
 /// A mask of the missed pixels (1: missed), rows from the bottom.
 [[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& shown);
 
-/// An object of the scene with missed pixels.
-struct LostObject {
-    uint32_t instance = 0;
-    uint64_t pixels = 0;
-};
 /// The objects that the reference shows at the pixels of a mask of missed ones, most pixels first, then by number.
 [[nodiscard]] std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference,
                                                   const std::vector<uint8_t>& missed);
+/// The same of pixels by their numbers.
+[[nodiscard]] std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference,
+                                                  const std::vector<uint32_t>& pixels);
 
 /// A 4-connected set of missed pixels.
 struct Hole {

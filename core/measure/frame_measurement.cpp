@@ -22,10 +22,13 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     return figures;
 }
 
-void addLosses(FrameMeasurement& figures, const JudgedFrame& judged) {
+void addLosses(FrameMeasurement& figures, const JudgedFrame& judged, std::vector<LostObject> lost) {
     figures.accuracy = judged.accuracy;
     figures.ownRaster = judged.ownRaster;
     figures.missedBeyondSnapping = judged.missedBeyondSnapping.value_or(0);
+    figures.lostPixels = judged.lostPixels();
+    figures.wronglyNearerPixels = judged.extraBeyondSnapping.value_or(judged.accuracy.extraPixels);
+    figures.lostObjects = std::move(lost);
 }
 
 RatioEstimate ratioOver(std::span<const FrameMeasurement> baseline, std::span<const FrameMeasurement> subject) {

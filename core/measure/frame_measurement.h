@@ -32,13 +32,20 @@ struct FrameMeasurement {
     std::optional<Accuracy> accuracy;
     bool ownRaster = false;             ///< the frame shows other surfaces than the scene's, or in an order of its own
     uint64_t missedBeyondSnapping = 0;  ///< with `ownRaster`, or where the reference has another facing rule than the strategy
+
+    uint64_t lostPixels = 0;                ///< JudgedFrame::lostPixels
+    uint64_t wronglyNearerPixels = 0;       ///< extra pixels, without those that the raster's snapping explains
+    uint64_t toggledPixels = 0;             ///< that are lost in this frame or in the one before on the path, and not in both
+    std::vector<LostObject> lostObjects{};  ///< whose pixels are lost
+    /// The shaded picture beside that of everything (field_figures.h); empty: they are equal, or were not compared.
+    std::vector<uint32_t> pictureDifferences{};
 };
 
 /// The figures of the frames that were timed at a view so far, at least one of them counted; without what they lost.
 [[nodiscard]] FrameMeasurement measurementOf(const TimedFrames& timed);
 
-/// Adds what the frame lost.
-void addLosses(FrameMeasurement& figures, const JudgedFrame& judged);
+/// Adds what the frame lost. `lost`: the objects whose pixels those are.
+void addLosses(FrameMeasurement& figures, const JudgedFrame& judged, std::vector<LostObject> lost = {});
 
 /// "×" in a view's header, a table, a report, a paper's row and a file: ratioOfTotals of the frame times at the same views.
 [[nodiscard]] RatioEstimate ratioOver(std::span<const FrameMeasurement> baseline, std::span<const FrameMeasurement> subject);

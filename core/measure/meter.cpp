@@ -1,6 +1,7 @@
 #include "core/measure/meter.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "core/base/error.h"
@@ -49,6 +50,13 @@ void addLimit(std::vector<Contestant>& strategies, const MeasureRequest& request
     if (unavailable(limitOfCulling(), gl)) return;
     strategies.push_back(
         {limit, buildStrategy(strategyOf(limit), limit.parameters, request.scene, structures, progress), request.baselinesToo});
+}
+
+/// How many numbers are in one of two ascending lists and not in the other.
+uint64_t differentNumbers(const std::vector<uint32_t>& one, const std::vector<uint32_t>& other) {
+    std::vector<uint32_t> different;
+    std::ranges::set_symmetric_difference(one, other, std::back_inserter(different));
+    return different.size();
 }
 
 }  // namespace
@@ -136,6 +144,7 @@ public:
             run.structure = contestant.strategy->report();
             m_runs.push_back(std::move(run));
             m_taking.push_back({});
+            m_lost.emplace_back();
         }
     }
 
@@ -231,6 +240,9 @@ private:
             run.frames.push_back(m_pose->rounds.measurement(i));
             run.frames.back().pose = m_poses;
             m_memories[number] = m_pose->rounds.takeMemories(i);
+            std::vector<uint32_t> lost = m_pose->rounds.takeLost(i);
+            if (m_poses > 0) run.frames.back().toggledPixels = differentNumbers(m_lost[number], lost);
+            m_lost[number] = std::move(lost);
             for (const double milliseconds : run.frames.back().frameTimes) m_taking[number].seconds += milliseconds / 1000.0;
             m_taking[number].ended = m_taking[number].seconds > m_request.secondsOfAStrategy;
         }
@@ -248,6 +260,7 @@ private:
     std::vector<RunMeasurement> m_runs;                     ///< by strategy, the baselines that were not asked for among them
     std::vector<Taking> m_taking;                           ///< by strategy
     std::vector<std::vector<ViewStatePointer>> m_memories;  ///< by strategy and window; at the rounds while a pose is in progress
+    std::vector<std::vector<uint32_t>> m_lost;              ///< by strategy: the pixels lost at the newest complete pose
     References m_references;                                ///< of the pose in progress
     size_t m_poses = 0;                                     ///< measured completely
     std::optional<Pose> m_pose;

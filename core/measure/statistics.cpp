@@ -8,7 +8,6 @@
 namespace cullscope {
 namespace {
 
-constexpr size_t kResamples = 2000;
 /// The fewest resamples of one view's repetitions. Among many views a resample of all of them rarely meets the same one twice.
 constexpr size_t kLeastResamplesOfAView = 20;
 
@@ -35,8 +34,6 @@ Times resampled(const ViewTimes& view, Random& random, ViewTimes& drawn) {
     }
     return mediansOf(drawn);
 }
-
-std::array<double, 2> middle95(const std::vector<double>& values) { return {quantile(values, 0.025), quantile(values, 0.975)}; }
 
 }  // namespace
 
@@ -113,6 +110,8 @@ std::optional<RatioEstimate> shareOfHeadroom(std::span<const TimesBesideLimit> v
     if (double(shares.size()) < kAgreeing * double(kResamples)) return std::nullopt;
     return RatioEstimate{*share, middle95(shares), views.size() > 1};
 }
+
+std::array<double, 2> middle95(const std::vector<double>& values) { return {quantile(values, 0.025), quantile(values, 0.975)}; }
 
 double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;

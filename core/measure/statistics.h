@@ -42,6 +42,11 @@ struct TimesBesideLimit {
 /// agree that there is something.
 [[nodiscard]] std::optional<RatioEstimate> shareOfHeadroom(std::span<const TimesBesideLimit> views);
 
+/// How many resamples a bootstrap takes.
+inline constexpr size_t kResamples = 2000;
+/// The percentiles 2.5 and 97.5 of resampled values: a 95 % interval.
+[[nodiscard]] std::array<double, 2> middle95(const std::vector<double>& values);
+
 /// The quantile of the values at a share in [0, 1], interpolated linearly between ranks; 0 for no values.
 [[nodiscard]] double quantile(std::vector<double> values, double share);
 

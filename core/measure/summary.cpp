@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/measure/field_figures.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope {
@@ -76,6 +77,9 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     RatioEstimate ofPapers;
     compareTo(run.ownRule, run, runs, summary.ratioToOwnRule, ofPapers);
     summary.headroomShare = headroomShareOf(run, runs);
+    summary.field = fieldEstimates(frames);
+    // The rule of three: of n views none with a loss.
+    if (!summary.field.empty() && framesWithLoss(frames) == 0) summary.lossBelow = 3.0 / double(frames.size());
     return summary;
 }
 

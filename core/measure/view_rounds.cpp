@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/measure/field_figures.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
@@ -45,7 +46,7 @@ ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const J
 }  // namespace
 
 ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& protocol, bool backwards)
-    : m_subjects(std::move(subjects)), m_judged(m_subjects.size()), m_figures(m_subjects.size()) {
+    : m_subjects(std::move(subjects)), m_judged(m_subjects.size()), m_further(m_subjects.size()), m_figures(m_subjects.size()) {
     std::vector<TimedFrames> timed;
     for (ViewSubject& subject : m_subjects) {
         TimedFrames work{subject.buffers.get(), subject.strategy, subject.view, std::move(subject.memories),
@@ -104,6 +105,14 @@ void ViewRounds::judgeNow(size_t subject, Renderer& renderer, References& refere
     const auto truth = references.of(renderer, *what.buffers, what.view, what.strategy->referenceFacing());
     JudgedFrame judged = judge(renderer, *what.buffers, log, *truth, targetOf(what.view.viewport(), 0));
     if (what.shown) m_figures[subject] = figuresOf(what, log, judged, *truth);
+    if (!what.shown) {
+        const Accuracy& errors = judged.accuracy;
+        m_further[subject].lostObjects = lostObjects(what.buffers->scene(), *truth, judged.lost);
+        // Where every pixel shows the surface that is truly there, the shaded pictures are equal.
+        if (judged.ownRaster || errors.missedPixels + errors.extraPixels > 0)
+            m_further[subject].pictureDifferences =
+                pictureDifferences(renderer, *what.buffers, log, *truth, targetOf(what.view.viewport(), 0));
+    }
     judged.shown = {};
     m_judged[subject] = std::move(judged);
 }
@@ -126,8 +135,14 @@ void ViewRounds::addTimes(size_t subject, ViewFigures& figures) const {
 
 FrameMeasurement ViewRounds::measurement(size_t subject) const {
     FrameMeasurement figures = measurementOf(timed(m_places[subject].own));
-    if (m_judged[subject]) addLosses(figures, *m_judged[subject]);
+    if (!m_judged[subject]) return figures;
+    addLosses(figures, *m_judged[subject], m_further[subject].lostObjects);
+    figures.pictureDifferences = m_further[subject].pictureDifferences;
     return figures;
+}
+
+std::vector<uint32_t> ViewRounds::takeLost(size_t subject) {
+    return m_judged[subject] ? std::move(m_judged[subject]->lost) : std::vector<uint32_t>();
 }
 
 std::vector<ViewStatePointer> ViewRounds::takeMemories(size_t subject) {

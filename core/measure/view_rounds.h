@@ -86,8 +86,16 @@ public:
     [[nodiscard]] FrameMeasurement measurement(size_t subject) const;
     /// The memories with which a subject's next view begins.
     [[nodiscard]] std::vector<ViewStatePointer> takeMemories(size_t subject);
+    /// The pixels that a judged subject lost (JudgedFrame::lost); empty where it was not judged.
+    [[nodiscard]] std::vector<uint32_t> takeLost(size_t subject);
 
 private:
+    /// What is counted of a subject that shows no frame, for the field's figures.
+    struct Further {
+        std::vector<LostObject> lostObjects;
+        std::vector<uint32_t> pictureDifferences;
+    };
+
     /// Numbers among the frames that are timed.
     struct Place {
         size_t own = 0;
@@ -103,6 +111,7 @@ private:
     std::vector<Place> m_places;  ///< by subject
     std::unique_ptr<TimedRounds> m_rounds;
     std::vector<std::optional<JudgedFrame>> m_judged;  ///< by subject, without the pixels; none: not yet
+    std::vector<Further> m_further;                    ///< by subject
     std::vector<ViewFigures> m_figures;                ///< by subject
 };
 

@@ -50,7 +50,8 @@ void TiledPicture::findVisible(Renderer& renderer, const PictureTile& tile) {
     part.depth = std::move(truth.depth);
     part.triangle = std::move(truth.triangle);
     const ShownPixels shown = shownPixels(renderer, *m_request.buffers, m_frame->log, target);
-    for (const uint32_t triangle : lossesBeyondSnapping(part, shown, scene, culling, tile).triangles) m_lost.insert(triangle);
+    for (const uint32_t triangle : trianglesAt(part, pixelsMissedBeyondSnapping(part, shown, scene, culling, tile)))
+        m_lost.insert(triangle);
 }
 
 void TiledPicture::finishTruth() {

@@ -1,4 +1,5 @@
 #include "ui/statistics/result_table_model.h"
+#include "ui/text/terms.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -88,12 +89,11 @@ ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     return row;
 }
 
-QString ratio(double value) { return QLocale().toString(value, 'f', 2); }
-
 QString speed(const std::optional<RatioEstimate>& estimate) {
     if (!estimate) return {};
-    if (!estimate->hasInterval) return QStringLiteral("×%1").arg(ratio(estimate->ratio));
-    return QStringLiteral("×%1 [%2, %3]").arg(ratio(estimate->ratio), ratio(estimate->ci95[0]), ratio(estimate->ci95[1]));
+    if (!estimate->hasInterval) return QStringLiteral("×%1").arg(ratioWithTwoDigits(estimate->ratio));
+    return QStringLiteral("×%1 [%2, %3]")
+        .arg(ratioWithTwoDigits(estimate->ratio), ratioWithTwoDigits(estimate->ci95[0]), ratioWithTwoDigits(estimate->ci95[1]));
 }
 
 QString shareText(const std::optional<RatioEstimate>& share) {
@@ -259,9 +259,11 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
         case SpeedupOverTriangles:
             return speed(row.speedupOverTriangles);
         case Fps:
-            return row.fpsOverall ? ratioText(*row.fpsOverall) : QString();
+            return row.fpsOverall ? ratioWithTwoDigits(*row.fpsOverall) : QString();
         case FpsRange:
-            return row.fpsMin && row.fpsMax ? ratioText(*row.fpsMin) + QStringLiteral(" – ") + ratioText(*row.fpsMax) : QString();
+            return row.fpsMin && row.fpsMax
+                       ? ratioWithTwoDigits(*row.fpsMin) + QStringLiteral(" – ") + ratioWithTwoDigits(*row.fpsMax)
+                       : QString();
         case CullShare:
             return percent(row.cullShare);
         case Submitted:

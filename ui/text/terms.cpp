@@ -49,4 +49,6 @@ QString degreesText(double radians) {
     return QLocale().toString(rounded, 'g', 5) + QStringLiteral("°");
 }
 
+QString ratioWithTwoDigits(double ratio) { return QLocale().toString(ratio, 'f', 2); }
+
 }  // namespace cullscope::ui

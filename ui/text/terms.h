@@ -15,5 +15,7 @@ namespace cullscope::ui {
 [[nodiscard]] QString lengthText(double length);
 /// An angle in degrees, with enough digits to tell a map's cells apart.
 [[nodiscard]] QString degreesText(double radians);
+/// A ratio with two digits after the point.
+[[nodiscard]] QString ratioWithTwoDigits(double ratio);
 
 }  // namespace cullscope::ui

@@ -1,0 +1,383 @@
+#include "core/experiments/advice/adviser.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/experiments/advice/race.h"
+
+namespace cullscope::advice {
+namespace {
+
+constexpr size_t kProbes = 2;
+constexpr size_t kLeastViews = 6;       // before an interval may exclude a strategy
+constexpr size_t kMostTurns = 3;        // at each view
+constexpr double kFar = 2.5;            // as many times as long as the fastest: no interval needed
+constexpr double kExcluded = 0.96;      // the interval's end below which a slower one leaves
+constexpr double kFarOfVariants = 4.0;  // of a default, so that its other values are not tried
+constexpr double kSame = 0.99;          // faster by less does not count against a smaller structure
+constexpr double kBuildFrames = 300.0, kLeastBuildSeconds = 3.0;
+constexpr double kFrameSeconds = 1.0, kLongFrames = 10.0;
+
+const StrategyInfo& infoOf(const Entrant& entrant) { return findStrategy(entrant.figures.strategy.id).info; }
+
+double sumOf(const std::vector<std::vector<double>>& times) {
+    double sum = 0.0;
+    for (const std::vector<double>& view : times)
+        if (!view.empty()) sum += quantile(view, 0.5);
+    return sum;
+}
+
+class Adviser {
+public:
+    Adviser(const AdviseRequest& request, const Progress& progress)
+        : m_request(request), m_progress(progress), m_race(request, progress), m_order(spreadOrder(m_race.poses())) {}
+
+    Advice run() {
+        const auto start = std::chrono::steady_clock::now();
+        Advice advice;
+        try {
+            admitAll();
+            race();
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Interrupted) throw;
+            advice.interrupted = true;
+        }
+        choose(advice);
+        advice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        return advice;
+    }
+
+private:
+    void admitAll() {
+        const std::vector<StrategyRequest> all = candidates();
+        for (size_t i = 0; i < all.size(); ++i) {
+            m_progress.tell(0.5 * double(i) / double(all.size()), CULLSCOPE_TR("trying strategies"));
+            m_progress.check();
+            admit(all[i], false);
+        }
+        const StrategyInfo& limit = limitOfCulling();
+        admit({limit.id, ParameterSet(limit.parameters)}, true);
+        m_lastBuilt.reset();
+    }
+
+    void admit(const StrategyRequest& strategy, bool limit) {
+        Entrant entrant;
+        entrant.figures.strategy = strategy;
+        entrant.figures.everything = infoOf(entrant).baseline != BaselineRole::None;
+        entrant.figures.limit = limit;
+        entrant.probes.resize(m_race.poses());
+        entrant.times.resize(m_race.poses());
+        entrant.judged.resize(m_race.poses());
+        if (variantOfASlowOne(entrant))
+            entrant.figures.standing = Standing::FarBehind;
+        else if (build(entrant))
+            probe(entrant);
+        // The next value of its parameters may need the same structure.
+        m_lastBuilt = entrant.built ? entrant.built : m_lastBuilt;
+        if (!entrant.racing) entrant.built.reset();
+        m_entrants.push_back(std::move(entrant));
+    }
+
+    [[nodiscard]] bool variantOfASlowOne(const Entrant& entrant) const {
+        const auto first = std::ranges::find(m_entrants, entrant.figures.strategy.id,
+                                             [](const Entrant& other) { return other.figures.strategy.id; });
+        if (first == m_entrants.end() || entrant.figures.everything) return false;
+        if (first->figures.standing == Standing::Refused) return true;
+        return first->figures.standing == Standing::FarBehind && sumOf(first->probes) > kFarOfVariants * bestProbes();
+    }
+
+    bool build(Entrant& entrant) {
+        const StrategyRequest& strategy = entrant.figures.strategy;
+        if (const std::optional<Message> why = unavailable(infoOf(entrant), m_race.gl())) return refuse(entrant, *why);
+        if (const std::optional<Message> why = unserved(infoOf(entrant), m_request.path.camera(0))) return refuse(entrant, *why);
+        double seconds = m_request.buildSeconds;
+        if (seconds <= 0.0) {
+            const double frame = m_entrants.empty() ? 0.0 : sumOf(m_entrants.front().probes) / 1000.0 / double(probes());
+            seconds = std::max(kLeastBuildSeconds, kBuildFrames * frame);
+        }
+        const Deadline deadline(seconds, m_progress.stop);
+        try {
+            entrant.built = buildStrategy(strategyOf(strategy), strategy.parameters, m_request.scene, m_structures,
+                                          {nullptr, deadline.token()});
+        } catch (const Error& error) {
+            m_progress.check();
+            if (!deadline.passed()) return refuse(entrant, error.message());
+            return refuse(entrant, {CULLSCOPE_TR("building its structure takes longer than %1 s"),
+                                    {std::to_string(int(std::ceil(seconds)))}});
+        }
+        entrant.figures.structure = entrant.built->report();
+        entrant.figures.promise = entrant.built->promise();
+        for (size_t pose = 0; pose < m_race.poses(); ++pose)
+            if (entrant.built->promiseAt(m_race.viewOf(pose)) == Promise::Approximate)
+                entrant.figures.promise = Promise::Approximate;
+        entrant.eligible =
+            !entrant.figures.limit && (m_request.maxMissed > 0.0 || entrant.figures.promise != Promise::Approximate);
+        if (!entrant.eligible) entrant.figures.standing = Standing::Loses;
+        return true;
+    }
+
+    static bool refuse(Entrant& entrant, const Message& why) {
+        entrant.figures.standing = Standing::Refused;
+        entrant.figures.why = why;
+        return false;
+    }
+
+    [[nodiscard]] size_t probes() const { return std::min(kProbes, m_order.size()); }
+
+    /// The least sum of the first views of those that may be chosen, in milliseconds; infinite where there is none yet.
+    [[nodiscard]] double bestProbes() const {
+        double best = std::numeric_limits<double>::infinity();
+        for (const Entrant& entrant : m_entrants)
+            if (entrant.eligible && entrant.racing) best = std::min(best, sumOf(entrant.probes));
+        return best;
+    }
+
+    /// The least time of these at one of the first views.
+    [[nodiscard]] double bestProbe(size_t pose) const {
+        double best = std::numeric_limits<double>::infinity();
+        for (const Entrant& entrant : m_entrants)
+            if (entrant.eligible && entrant.racing && !entrant.probes[pose].empty())
+                best = std::min(best, entrant.probes[pose].front());
+        return best;
+    }
+
+    /// A frame that takes so long is not waited for.
+    [[nodiscard]] double longFrame(size_t pose) const {
+        const double best = bestProbe(pose) / 1000.0;
+        return std::isfinite(best) ? std::max(kFrameSeconds, kLongFrames * best) : 1e6;
+    }
+
+    /// The first frame fills caches and is not counted. Of those that may be chosen the lesser of two frames counts: another
+    /// program that takes the processor for a moment must not decide. One that is far slower leaves here.
+    void probe(Entrant& entrant) {
+        const std::optional<double> first = m_race.draw(entrant, m_order.front(), longFrame(m_order.front()));
+        if (!first) return;
+        const bool slow = *first > kLongFrames * bestProbe(m_order.front());
+        for (size_t i = 0; i < probes() && !slow; ++i) {
+            std::optional<double> least;
+            for (int frame = 0; frame < (entrant.eligible ? 2 : 1); ++frame) {
+                const std::optional<double> time = m_race.draw(entrant, m_order[i], longFrame(m_order[i]));
+                if (!time) return;
+                least = std::min(*time, least.value_or(*time));
+            }
+            entrant.probes[m_order[i]].push_back(*least);
+            if (entrant.figures.promise == Promise::Approximate && !entrant.figures.limit) m_race.judge(entrant, m_order[i]);
+        }
+        const double best = bestProbes();
+        if (slow) entrant.probes[m_order.front()].push_back(*first);
+        if (entrant.figures.limit) {
+            entrant.racing = true;
+        } else if (slow || (!entrant.figures.everything && sumOf(entrant.probes) > kFar * best)) {
+            if (entrant.eligible) entrant.figures.standing = Standing::FarBehind;
+            entrant.eligible = false;
+        } else if (losesTooMuch(entrant, 2.0)) {
+            lose(entrant);
+        } else if (entrant.eligible) {
+            entrant.racing = true;
+            entrant.figures.standing = Standing::Finished;
+        }
+    }
+
+    [[nodiscard]] bool losesTooMuch(const Entrant& entrant, double factor) const {
+        const std::optional<double> rate = entrant.figures.missedRate();
+        return entrant.figures.promise == Promise::Approximate && rate && *rate > factor * m_request.maxMissed;
+    }
+    static void lose(Entrant& entrant) {
+        entrant.figures.standing = Standing::Loses;
+        entrant.eligible = entrant.racing = false;
+    }
+
+    void race() {
+        for (size_t turn = 0; turn < kMostTurns && (turn == 0 || !decided()); ++turn)
+            for (size_t i = 0; i < m_order.size() && (turn == 0 || !decided()); ++i) {
+                m_progress.tell(0.5 + 0.5 * (double(turn) + double(i) / double(m_order.size())) / double(kMostTurns),
+                                CULLSCOPE_TR("racing"));
+                drawAll(m_order[i], turn, (turn + i) % 2 != 0);
+                dropSlower(turn * m_order.size() + i + 1);
+            }
+    }
+
+    void drawAll(size_t pose, size_t turn, bool backwards) {
+        for (size_t k = 0; k < m_entrants.size(); ++k) {
+            Entrant& entrant = m_entrants[backwards ? m_entrants.size() - 1 - k : k];
+            // Drawing everything and the limit stay for the ratios; finding the limit takes time that is not its own.
+            const bool kept = &entrant == &m_entrants.front() || (entrant.figures.limit && entrant.racing && turn == 0);
+            if (!kept && (!entrant.racing || entrant.figures.limit)) continue;
+            const std::optional<double> time = m_race.draw(entrant, pose, 1e6);
+            if (!time) continue;
+            entrant.times[pose].push_back(*time);
+            if (entrant.figures.promise != Promise::Approximate || entrant.figures.limit || !entrant.racing) continue;
+            m_race.judge(entrant, pose);
+            if (losesTooMuch(entrant, entrant.figures.judgedViews == m_order.size() ? 1.0 : 2.0)) lose(entrant);
+        }
+    }
+
+    /// The fastest of those that may be chosen and have been drawn at every view so far.
+    [[nodiscard]] Entrant* fastest() {
+        Entrant* best = nullptr;
+        for (Entrant& entrant : m_entrants)
+            if (entrant.eligible && entrant.racing && (best == nullptr || sumOf(entrant.times) < sumOf(best->times)))
+                best = &entrant;
+        return best;
+    }
+
+    void dropSlower(size_t drawn) {
+        const Entrant* const best = fastest();
+        if (best == nullptr || drawn < std::min(kLeastViews, kMostTurns * m_order.size())) return;
+        for (Entrant& entrant : m_entrants) {
+            if (&entrant == best || !entrant.racing || !entrant.eligible) continue;
+            const RatioEstimate ratio = ratioBetween(best->times, entrant.times);
+            if (!ratio.hasInterval || ratio.ci95[1] >= kExcluded) continue;
+            entrant.racing = false;
+            entrant.figures.standing = Standing::Behind;
+        }
+    }
+
+    /// Whether one is left, or those that are do not differ by more than matters.
+    [[nodiscard]] bool decided() {
+        const Entrant* const best = fastest();
+        if (best == nullptr) return true;
+        return std::ranges::all_of(m_entrants, [&](const Entrant& entrant) {
+            if (&entrant == best || !entrant.racing || !entrant.eligible) return true;
+            const RatioEstimate ratio = ratioBetween(best->times, entrant.times);
+            return ratio.hasInterval && ratio.ci95[0] >= kSame - 0.01;
+        });
+    }
+
+    /// Judges the chosen one at every view: one that breaks its promise is not chosen.
+    bool keepsItsPromise(Entrant& entrant, Advice& advice) {
+        try {
+            for (size_t pose = 0; pose < m_race.poses() && !advice.interrupted; ++pose)
+                if (!entrant.judged[pose] && m_race.draw(entrant, pose, 1e6)) m_race.judge(entrant, pose);
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Interrupted) throw;
+            advice.interrupted = true;
+        }
+        const std::optional<double> rate = entrant.figures.missedRate();
+        return !rate || *rate <= m_request.maxMissed;
+    }
+
+    /// Of those that are left the fastest, but for one whose structure is smaller and that is hardly slower.
+    [[nodiscard]] Entrant* chosen() {
+        Entrant* const best = fastest();
+        Entrant* choice = best;
+        for (Entrant& entrant : m_entrants) {
+            if (best == nullptr || !entrant.racing || !entrant.eligible) continue;
+            if (ratioBetween(best->times, entrant.times).ratio < kSame) continue;
+            const auto cost = [](const Entrant& one) { return one.figures.structure.bytes; };
+            if (cost(entrant) < cost(*choice)) choice = &entrant;
+        }
+        if (choice != nullptr) return choice;
+        // Those in the race were all found to lose: the fastest of those that left it.
+        for (Entrant& entrant : m_entrants)
+            if (entrant.eligible && entrant.figures.standing == Standing::Behind &&
+                (choice == nullptr || ratioBetween(m_entrants.front().times, entrant.times).ratio >
+                                          ratioBetween(m_entrants.front().times, choice->times).ratio))
+                choice = &entrant;
+        return choice;
+    }
+
+    void choose(Advice& advice) {
+        Entrant* choice = chosen();
+        while (choice != nullptr && !sumsKnown(*choice)) choice = nullptr;
+        while (choice != nullptr && !keepsItsPromise(*choice, advice)) {
+            lose(*choice);
+            choice = chosen();
+        }
+        for (Entrant& entrant : m_entrants) finish(entrant);
+        const Entrant& all = m_entrants.front();
+        for (const Entrant& entrant : m_entrants)
+            if (entrant.figures.limit && entrant.figures.ratioToAll) advice.limitRatio = entrant.figures.ratioToAll->ratio;
+        if (choice != nullptr) advice.headroomShare = headroomOf(*choice, all);
+        fill(advice, choice);
+    }
+
+    [[nodiscard]] static bool sumsKnown(const Entrant& entrant) { return sumOf(entrant.times) > 0.0; }
+
+    void finish(Entrant& entrant) {
+        const bool raced = sumsKnown(entrant);
+        const std::vector<std::vector<double>>& times = raced ? entrant.times : entrant.probes;
+        const std::vector<std::vector<double>>& all = raced ? m_entrants.front().times : m_entrants.front().probes;
+        AdvisedStrategy& figures = entrant.figures;
+        figures.views = size_t(std::ranges::count_if(times, [](const auto& view) { return !view.empty(); }));
+        if (figures.views == 0) return;
+        figures.frameMilliseconds = sumOf(times) / double(figures.views);
+        figures.ratioToAll = ratioBetween(all, times);
+        const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
+        if (saved > 0.0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
+    }
+
+    [[nodiscard]] std::optional<RatioEstimate> headroomOf(const Entrant& choice, const Entrant& all) const {
+        std::vector<TimesBesideLimit> views;
+        for (const Entrant& limit : m_entrants)
+            for (size_t pose = 0; limit.figures.limit && pose < m_race.poses(); ++pose)
+                if (!all.times[pose].empty() && !choice.times[pose].empty() && !limit.times[pose].empty()) {
+                    const double everything = quantile(all.times[pose], 0.5);
+                    views.push_back({everything, quantile(choice.times[pose], 0.5), everything, limit.times[pose].front()});
+                }
+        return shareOfHeadroom(views);
+    }
+
+    void fill(Advice& advice, const Entrant* choice) const {
+        std::vector<const Entrant*> ranked;
+        for (const Entrant& entrant : m_entrants) ranked.push_back(&entrant);
+        const auto group = [&](const Entrant* entrant) {
+            if (entrant == choice) return 0;
+            if (entrant->figures.limit) return 4;
+            if (entrant->figures.views == 0) return 3;
+            return entrant->figures.standing == Standing::Loses ? 2 : 1;
+        };
+        std::ranges::stable_sort(ranked, [&](const Entrant* one, const Entrant* other) {
+            if (group(one) != group(other)) return group(one) < group(other);
+            return one->figures.ratioToAll.value_or(RatioEstimate{}).ratio >
+                   other->figures.ratioToAll.value_or(RatioEstimate{}).ratio;
+        });
+        for (const Entrant* entrant : ranked) advice.strategies.push_back(entrant->figures);
+        if (choice != nullptr) advice.best = 0;
+        advice.request = m_request;
+        advice.gl = m_race.gl();
+        advice.frames = m_race.frames();
+    }
+
+    const AdviseRequest& m_request;
+    const Progress& m_progress;
+    Race m_race;
+    StructureStore m_structures;
+    BuiltStrategyPointer m_lastBuilt;
+    std::vector<size_t> m_order;
+    std::vector<Entrant> m_entrants;  ///< the first one draws everything
+};
+
+}  // namespace
+
+std::vector<StrategyRequest> candidates() {
+    std::vector<StrategyRequest> requests;
+    const auto add = [&](StrategyRequest request) {
+        if (std::ranges::find(requests, request) == requests.end()) requests.push_back(std::move(request));
+    };
+    for (const StrategyInfo* baseline : baselines()) add({baseline->id, ParameterSet(baseline->parameters)});
+    add(baselineUnder(Facing::ByObject));
+    const auto needsFile = [](const StrategyInfo& info) {
+        return std::ranges::any_of(info.parameters, [](const auto& declared) { return declared.type == ParameterType::File; });
+    };
+    for (const RegisteredStrategy& strategy : strategies()) {
+        if (strategy.info.limit || needsFile(strategy.info)) continue;
+        add({strategy.info.id, ParameterSet(strategy.info.parameters)});
+        for (const DeclaredSweep& sweep : strategy.info.sweeps)
+            for (const std::string& value : sweep.values) {
+                StrategyRequest request{strategy.info.id, ParameterSet(strategy.info.parameters)};
+                request.parameters.setFromText(sweep.key, value);
+                add(std::move(request));
+            }
+    }
+    return requests;
+}
+
+Advice advise(const AdviseRequest& request, const Progress& progress) {
+    if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));
+    if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
+    return Adviser(request, progress).run();
+}
+
+}  // namespace cullscope::advice

@@ -1,0 +1,303 @@
+#include "core/experiments/trade_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/measure/field_figures.h"
+#include "core/visibility/strategy_request.h"
+
+namespace cullscope {
+namespace {
+
+std::vector<TradeFigure> allFigures() {
+    std::vector<TradeFigure> figures{
+        {kUsualAcross, CULLSCOPE_TR("Speed against a baseline that draws the same sides"), 1.0, 2, false, false, false, true},
+        {"ratio_to_all", CULLSCOPE_TR("Speed against drawing everything"), 1.0, 2, false, false, false, true},
+        {"ratio_to_backface", CULLSCOPE_TR("Speed against drawing all front faces"), 1.0, 2, false, false, false, true},
+        {"fps_overall", CULLSCOPE_TR("fps, all views"), 1.0, 1},
+        {"fps_min", CULLSCOPE_TR("fps in the slowest view"), 1.0, 1},
+        {"headroom_share", CULLSCOPE_TR("Share of the headroom, %"), 100.0, 0},
+        {"culled_fraction", CULLSCOPE_TR("Culled triangles, %"), 100.0, 1},
+        {"cull_share", CULLSCOPE_TR("Culling, % of the frame"), 100.0, 2, true},
+        {"build_ms", CULLSCOPE_TR("Build time, ms"), 1.0, 1, true, true},
+        {"structure_bytes", CULLSCOPE_TR("Structure, bytes"), 1.0, 0, true, true},
+        {kUsualUp, CULLSCOPE_TR("Missed per million"), 1e6, 2, true, true, true},
+        {"largest_hole_px", CULLSCOPE_TR("Largest hole, pixels"), 1.0, 0, true, true, true}};
+    for (const FieldFigure& field : fieldFigures()) {
+        if (std::ranges::find(figures, field.key, &TradeFigure::key) != figures.end()) continue;
+        const std::string_view key = field.key;
+        const bool waste = key.find("false_positive") != std::string_view::npos;
+        figures.push_back({field.key, field.title, field.scale, field.decimals + 1, true, !waste, !waste});
+    }
+    return figures;
+}
+
+PlotShape shapeOf(Promise promise) {
+    if (promise == Promise::Exact) return PlotShape::Disc;
+    return promise == Promise::Conservative ? PlotShape::Square : PlotShape::Triangle;
+}
+
+const char* shapeName(Promise promise) {
+    if (promise == Promise::Exact) return CULLSCOPE_TR("shape: exact set");
+    return promise == Promise::Conservative ? CULLSCOPE_TR("shape: lossless") : CULLSCOPE_TR("shape: lossy");
+}
+
+std::string wordsOf(const TradeLook& look, const Message& message) {
+    return look.words ? look.words(message) : message.english();
+}
+
+PlotColour seriesOf(const TradeLook& look, size_t number) {
+    const std::span<const PlotColour> series = look.style.series.empty() ? plotSeries(false) : look.style.series;
+    return series[number % series.size()];
+}
+
+PlotColour paler(PlotColour colour) { return (colour & 0x00FFFFFF) | 0x80000000; }
+
+Promise promiseFromId(const std::string& id) {
+    for (const Promise promise : {Promise::Exact, Promise::Conservative})
+        if (id == promiseId(promise)) return promise;
+    return Promise::Approximate;
+}
+
+std::string wordsIn(const ResultTable& table, size_t row, const std::string& key) {
+    const CellValue value = table.value(row, key);
+    return std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : std::string();
+}
+
+bool better(const TradeFigure& figure, double one, double other) { return figure.least ? one < other : one > other; }
+
+}  // namespace
+
+const std::vector<TradeFigure>& tradeFigures() {
+    static const std::vector<TradeFigure> kFigures = allFigures();
+    return kFigures;
+}
+
+const TradeFigure& tradeFigure(std::string_view key) {
+    const auto found = std::ranges::find(tradeFigures(), key, &TradeFigure::key);
+    if (found != tradeFigures().end()) return *found;
+    std::string known;
+    for (const TradeFigure& figure : tradeFigures()) known += (known.empty() ? "" : ", ") + figure.key;
+    throwUsage(CULLSCOPE_TR("There is no figure \"%1\"; there are %2."), {std::string(key), known});
+}
+
+const RatioEstimate* TradePoint::value(const TradeFigure& figure) const {
+    const auto found = values.find(figure.key);
+    return found == values.end() ? nullptr : &found->second;
+}
+
+bool TradePoint::lossless() const {
+    const RatioEstimate* const lost = value(tradeFigure(kUsualUp));
+    return lost != nullptr && lost->ratio == 0.0;
+}
+
+std::map<std::string, RatioEstimate> tradeValues(const Row& cells) {
+    std::map<std::string, RatioEstimate> values;
+    for (const TradeFigure& figure : tradeFigures()) {
+        const auto cell = cells.find(figure.key);
+        if (cell == cells.end()) continue;
+        if (const auto* estimate = std::get_if<RatioEstimate>(&cell->second))
+            values[figure.key] = *estimate;
+        else if (const std::optional<double> number = numberOf(cell->second))
+            values[figure.key] = {*number, {*number, *number}, false};
+    }
+    return values;
+}
+
+std::vector<TradePoint> tradePoints(const ResultTable& table) {
+    std::vector<TradePoint> points;
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        Row cells;
+        for (size_t i = 0; i < table.columns.size(); ++i) cells[table.columns[i].key] = table.rows[row][i];
+        TradePoint point;
+        const std::string strategy = wordsIn(table, row, "strategy"), key = wordsIn(table, row, "parameter");
+        StrategyRequest request = strategyFromText(strategy);
+        point.role = findStrategy(request.id).info.baseline;
+        if (key.empty()) {
+            point.name = point.label = strategyLabel(request);
+        } else {
+            point.sweep = strategy + ", " + key;
+            point.label = wordsIn(table, row, "value");
+            request.parameters.setFromText(key, point.label);
+            point.name = strategyLabel(request);
+        }
+        point.promise = promiseFromId(wordsIn(table, row, "promise"));
+        point.views = size_t(numberOf(table.value(row, "poses")).value_or(0.0));
+        point.values = tradeValues(cells);
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+std::vector<size_t> paretoFront(std::span<const TradePoint> points, const TradeFigure& across, const TradeFigure& up,
+                                bool lossless) {
+    std::vector<size_t> candidates, front;
+    for (size_t i = 0; i < points.size(); ++i)
+        if (points[i].value(across) != nullptr && points[i].value(up) != nullptr && points[i].lossless() == lossless &&
+            !points[i].name.starts_with(limitOfCulling().id))
+            candidates.push_back(i);
+    const auto value = [&](size_t point, const TradeFigure& figure) { return points[point].value(figure)->ratio; };
+    for (const size_t one : candidates) {
+        const bool surpassed = std::ranges::any_of(candidates, [&](size_t other) {
+            const bool behind =
+                better(across, value(one, across), value(other, across)) || better(up, value(one, up), value(other, up));
+            const bool ahead =
+                better(across, value(other, across), value(one, across)) || better(up, value(other, up), value(one, up));
+            return ahead && !behind;
+        });
+        if (!surpassed) front.push_back(one);
+    }
+    std::ranges::stable_sort(front, {}, [&](size_t point) { return value(point, across); });
+    return front;
+}
+
+TradePlot::TradePlot(std::vector<TradePoint> points, const TradeFigure& across, const TradeFigure& up)
+    : m_across(&across), m_up(&up) {
+    for (TradePoint& point : points) {
+        if (point.value(across) == nullptr || point.value(up) == nullptr) continue;
+        if (!point.sweep.empty() && std::ranges::find(m_sweeps, point.sweep) == m_sweeps.end()) m_sweeps.push_back(point.sweep);
+        m_points.push_back(std::move(point));
+    }
+}
+
+int TradePlot::lowestDecade(const TradeFigure& figure) const {
+    int lowest = 0;
+    for (const TradePoint& point : m_points)
+        if (const double value = point.value(figure)->ratio * figure.scale; value > 0.0)
+            lowest = std::min(lowest, int(std::floor(std::log10(value))));
+    return lowest;
+}
+
+int TradePlot::highestDecade(const TradeFigure& figure) const {
+    int highest = 3;
+    for (const TradePoint& point : m_points)
+        if (const double value = point.value(figure)->ratio * figure.scale; value > 0.0)
+            highest = std::max(highest, int(std::ceil(std::log10(value))));
+    return highest;
+}
+
+double TradePlot::along(const TradeFigure& figure, double value) const {
+    const double shown = value * figure.scale;
+    if (!figure.decades) return shown;
+    const int lowest = lowestDecade(figure);
+    return shown > 0.0 ? std::max(double(lowest) - 0.4, std::log10(shown)) : lowest - 1.0;
+}
+
+PlotPoint TradePlot::place(const TradePoint& point) const {
+    return {along(*m_across, point.value(*m_across)->ratio), along(*m_up, point.value(*m_up)->ratio)};
+}
+
+std::string TradePlot::zeroLabel(const TradeFigure& figure, const TradeLook& look) const {
+    size_t views = 0;
+    for (const TradePoint& point : m_points) views = std::max(views, point.views);
+    return figure.ofLoss && views > 0 ? wordsOf(look, {CULLSCOPE_TR("0 (< 3/%1)"), {std::to_string(views)}}) : std::string("0");
+}
+
+PlotAxis TradePlot::axis(const TradeFigure& figure, const TradeLook& look) const {
+    PlotAxis axis{wordsOf(look, {figure.title, {}}), PlotScale::Linear, 0.0, 0.0, true};
+    if (!figure.decades) return axis;
+    const int lowest = lowestDecade(figure), highest = highestDecade(figure);
+    axis = {axis.title, PlotScale::Linear, lowest - 1.5, highest + 0.2};
+    axis.ticks = {{lowest - 1.0, zeroLabel(figure, look)}};
+    for (int decade = lowest; decade <= highest; ++decade) {
+        const double value = std::pow(10.0, decade);
+        axis.ticks.push_back({double(decade), look.decade ? look.decade(value) : plotNumber(value)});
+    }
+    return axis;
+}
+
+void TradePlot::addSweeps(LinePlot& plot, const TradeLook& look) const {
+    for (size_t number = 0; number < m_sweeps.size(); ++number) {
+        std::vector<PlotPoint> places;
+        for (const TradePoint& point : m_points)
+            if (point.sweep == m_sweeps[number]) places.push_back(place(point));
+        plot.lines.push_back(plainLine(m_sweeps[number], std::move(places), {seriesOf(look, number), 1.4}));
+    }
+}
+
+void TradePlot::addPoints(LinePlot& plot, const TradeLook& look) const {
+    size_t single = m_sweeps.size();
+    for (const TradePoint& point : m_points) {
+        const PlotPoint at = place(point);
+        PlotColour colour = 0;
+        if (!point.sweep.empty())
+            colour = seriesOf(look, size_t(std::ranges::find(m_sweeps, point.sweep) - m_sweeps.begin()));
+        else if (point.role != BaselineRole::None)
+            colour = point.role == BaselineRole::Triangles ? look.darkBaseline : look.lightBaseline;
+        else
+            colour = seriesOf(look, single++);
+        // Paler than the sweeps, which run the same way where nothing is missed.
+        const PlotPen pale{paler(point.role == BaselineRole::None ? colour : look.style.faint), 1.5};
+        if (const RatioEstimate& x = *point.value(*m_across); x.hasInterval)
+            plot.lines.push_back(plainLine({}, {{along(*m_across, x.ci95[0]), at.y}, {along(*m_across, x.ci95[1]), at.y}}, pale));
+        if (const RatioEstimate& y = *point.value(*m_up); y.hasInterval)
+            plot.lines.push_back(plainLine({}, {{at.x, along(*m_up, y.ci95[0])}, {at.x, along(*m_up, y.ci95[1])}}, pale));
+        plot.marks.push_back({point.sweep.empty() ? point.name : std::string(),
+                              at,
+                              shapeOf(point.promise),
+                              {look.style.text, 1.2},
+                              colour,
+                              point.label});
+    }
+    for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
+        if (std::ranges::any_of(m_points, [&](const TradePoint& point) { return point.promise == promise; }))
+            plot.marks.push_back({wordsOf(look, {shapeName(promise), {}}),
+                                  kNoPlace,
+                                  shapeOf(promise),
+                                  {look.style.faint, 1.2, PlotStroke::Dotted}});
+}
+
+void TradePlot::addFronts(LinePlot& plot, const TradeLook& look) const {
+    for (const bool lossless : {true, false}) {
+        const std::vector<size_t> front = paretoFront(m_points, *m_across, *m_up, lossless);
+        if (front.size() < 2) continue;
+        std::vector<PlotPoint> steps;
+        for (const size_t number : front) {
+            const PlotPoint at = place(m_points[number]);
+            // What lies between two points of a front is as good as the worse of both in each figure: from the point that is
+            // better across, one goes to the other's height first.
+            if (!steps.empty())
+                steps.push_back(m_across->least ? PlotPoint{at.x, steps.back().y} : PlotPoint{steps.back().x, at.y});
+            steps.push_back(at);
+        }
+        const Message name{lossless ? CULLSCOPE_TR("front: nothing lost") : CULLSCOPE_TR("front: something lost"), {}};
+        plot.lines.push_back(plainLine(wordsOf(look, name), std::move(steps),
+                                       {look.style.text, 1.2, lossless ? PlotStroke::Dashed : PlotStroke::Dotted}));
+    }
+}
+
+void TradePlot::addBands(LinePlot& plot, const TradeLook& look) const {
+    const PlotRange x = rangeAlongX(plot), y = rangeAlongY(plot);
+    if (m_up->decades) plot.bars.push_back({{}, look.style.grid, {{x.first, lowestDecade(*m_up) - 0.5, x.last, plot.y.least}}});
+    if (m_across->decades)
+        plot.bars.push_back({{}, look.style.grid, {{plot.x.least, y.last, lowestDecade(*m_across) - 0.5, y.first}}});
+}
+
+LinePlot TradePlot::plot(const TradeLook& look) const {
+    LinePlot plot;
+    plot.x = axis(*m_across, look);
+    plot.y = axis(*m_up, look);
+    addSweeps(plot, look);
+    addFronts(plot, look);
+    addPoints(plot, look);
+    const PlotPen level{look.style.faint, 1.0, PlotStroke::Dashed};
+    const PlotRange x = rangeAlongX(plot), y = rangeAlongY(plot);
+    if (m_across->ofRatio) plot.lines.insert(plot.lines.begin(), plainLine({}, {{1.0, y.first}, {1.0, y.last}}, level));
+    if (m_up->ofRatio) plot.lines.insert(plot.lines.begin(), plainLine({}, {{x.first, 1.0}, {x.last, 1.0}}, level));
+    addBands(plot, look);
+    return plot;
+}
+
+std::string tradeValueText(const TradePlot& plot, const TradePoint& point, const TradeFigure& figure, const TradeLook& look) {
+    const RatioEstimate* const value = point.value(figure);
+    if (value == nullptr) return "–";
+    if (value->ratio == 0.0 && figure.ofLoss) return plot.zeroLabel(figure, look);
+    const auto number = [&](double one) { return fmt::format("{:.{}f}", one * figure.scale, figure.decimals); };
+    if (!value->hasInterval) return number(value->ratio);
+    return fmt::format("{} [{}, {}]", number(value->ratio), number(value->ci95[0]), number(value->ci95[1]));
+}
+
+}  // namespace cullscope

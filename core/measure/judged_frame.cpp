@@ -1,0 +1,197 @@
+// What the raster's snapping explains, and a frame beside the truth.
+#include "core/measure/accuracy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace cullscope {
+namespace {
+
+/// A triangle in raster coordinates: corners in pixels (y upward) with their reversed depth in z. Clipped at the near plane it
+/// has none, three or four.
+struct RasterTriangle {
+    std::array<Vec3, 4> corners;
+    size_t count = 0;
+};
+
+RasterTriangle rasterised(const Scene& scene, const View& view, uint64_t triangle) {
+    const size_t number = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(number);
+    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
+    std::array<Vec4, 3> clip;
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec3 world(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0));
+        clip[i] = view.clipFromEyeRelative() * Vec4(world - view.eye(), 1.0);
+    }
+    RasterTriangle result;
+    const auto add = [&](const Vec4& corner) {
+        result.corners[result.count++] = {(corner.x / corner.w + 1.0) * 0.5 * view.viewport().width,
+                                          (corner.y / corner.w + 1.0) * 0.5 * view.viewport().height, corner.z / corner.w};
+    };
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec4 &here = clip[i], &next = clip[(i + 1) % 3];
+        const double d = here.w - here.z, e = next.w - next.z;  // how far before the near plane
+        if (d >= 0.0) add(here);
+        if ((d >= 0.0) != (e >= 0.0)) add(here + (next - here) * (d / (d - e)));
+    }
+    return result;
+}
+
+double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
+    const Vec2 along = b - a;
+    const double squared = glm::dot(along, along);
+    const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::length(point - a - along * t);
+}
+
+double distanceToEdges(const RasterTriangle& triangle, const Vec2& point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < triangle.count; ++i)
+        nearest = std::min(nearest,
+                           distanceToSegment(point, Vec2(triangle.corners[i]), Vec2(triangle.corners[(i + 1) % triangle.count])));
+    return nearest;
+}
+
+/// An upper bound on the change of the depth of the triangle's plane over one pixel: |∂z/∂x| + |∂z/∂y|.
+double depthPerPixel(const RasterTriangle& triangle) {
+    const auto& [a, b, c, d] = triangle.corners;
+    const Vec3 normal = glm::cross(b - a, c - a);
+    return (std::abs(normal.x) + std::abs(normal.y)) / std::abs(normal.z);
+}
+
+constexpr double kNearAnEdge = 1.0 / 64;
+constexpr double kShift = 1.0 / 128;
+
+/// The reversed depth of a triangle's plane at a pixel's centre, and its change from one column and row to the next. In double:
+/// a raster's floats err by far more where a triangle is a sliver.
+struct DepthOfPlane {
+    double depth;
+    Vec2 perPixel;
+};
+
+DepthOfPlane depthOfPlaneAt(const Scene& scene, const View& view, uint64_t triangle, const Vec2& centre) {
+    const size_t number = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(number);
+    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
+    std::array<Vec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i)
+        corners[i] =
+            Vec3(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0)) - view.eye();
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double offset = glm::dot(normal, corners[0]);
+    const auto depthAt = [&](double x, double y) { return view.depthOfPlane(normal, offset, x, y); };
+    const double depth = depthAt(centre.x, centre.y);
+    return {depth, {depthAt(centre.x + 1.0, centre.y) - depth, depthAt(centre.x, centre.y + 1.0) - depth}};
+}
+
+/// Whether two triangles' planes meet within 1/128 pixel of a pixel's centre, where both surfaces are cut, or have depths there
+/// that a float does not tell apart, as polygons in one plane.
+bool planesMeetAt(const Scene& scene, const View& view, uint64_t one, uint64_t other, const Vec2& centre) {
+    const DepthOfPlane a = depthOfPlaneAt(scene, view, one, centre), b = depthOfPlaneAt(scene, view, other, centre);
+    const double gap = std::abs(a.depth - b.depth);
+    return gap <= kTwoRoundings * std::max(a.depth, b.depth) || gap <= kShift * glm::length(a.perPixel - b.perPixel);
+}
+
+/// Whether the raster's snapping, or the rounding of two depths to float, explains that a triangle is shown at a pixel, or is
+/// not; `gap` is its depth beside the other's, `depth` the larger of them. `other`: the scene's triangle there in the other
+/// picture, counted from 1; 0: none, or not known.
+bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint32_t other, const Vec2& centre, double gap,
+                      double depth) {
+    if (gap <= kTwoRoundings * depth) return true;
+    const RasterTriangle triangle = rasterised(scene, view, item - 1);
+    if (triangle.count > 0 && (distanceToEdges(triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(triangle)))
+        return true;
+    if (other == 0) return false;
+    const RasterTriangle before = rasterised(scene, view, other - 1);
+    return (before.count > 0 && distanceToEdges(before, centre) <= kNearAnEdge) ||
+           planesMeetAt(scene, view, item - 1, other - 1, centre);
+}
+
+/// The centre of a tile's pixel in the whole picture.
+Vec2 centreOf(size_t pixel, const PictureTile& tile) {
+    const auto width = static_cast<size_t>(tile.size.width);
+    return {double(tile.x) + double(pixel % width) + 0.5, double(tile.y) + double(pixel / width) + 0.5};
+}
+
+/// What a picture shows at a pixel as a triangle of the scene, counted from 1; 0: nothing, not known, or surfaces in place of the
+/// scene's.
+uint32_t sceneTriangleAt(const ShownPixels& shown, size_t pixel) {
+    return shown.triangle.empty() || shown.objects ? 0 : shown.triangle[pixel];
+}
+
+}  // namespace
+
+std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
+                                                 const View& view, const std::optional<PictureTile>& tile) {
+    const PictureTile part = tile.value_or(PictureTile{0, 0, view.viewport()});
+    std::vector<uint32_t> beyond;
+    for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
+        if (pixelDifference(reference, shown, pixel) != PixelDifference::Missed || reference.triangle[pixel] == 0) continue;
+        const double gap = double(reference.depth[pixel]) - double(shown.depth[pixel]);
+        const uint32_t other = sceneTriangleAt(shown, pixel);
+        const Vec2 centre = centreOf(pixel, part);
+        if (!snappingExplains(scene, view, reference.triangle[pixel], other, centre, gap, reference.depth[pixel]))
+            beyond.push_back(uint32_t(pixel));
+    }
+    return beyond;
+}
+
+std::vector<uint32_t> trianglesAt(const Reference& reference, const std::vector<uint32_t>& pixels) {
+    std::vector<uint32_t> triangles;
+    for (const uint32_t pixel : pixels)
+        if (reference.triangle[pixel] != 0) triangles.push_back(reference.triangle[pixel] - 1);
+    std::ranges::sort(triangles);
+    const auto rest = std::ranges::unique(triangles);
+    triangles.erase(rest.begin(), rest.end());
+    return triangles;
+}
+
+uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
+    return pixelsMissedBeyondSnapping(reference, shown, scene, view).size();
+}
+
+uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
+    uint64_t beyond = 0;
+    for (size_t pixel = 0; pixel < shown.triangle.size(); ++pixel) {
+        if (pixelDifference(reference, shown, pixel) != PixelDifference::Extra || shown.triangle[pixel] == 0) continue;
+        const double gap = double(shown.depth[pixel]) - double(reference.depth[pixel]);
+        const uint32_t other = shown.objects ? 0 : reference.triangle[pixel];
+        const Vec2 centre = centreOf(pixel, {0, 0, view.viewport()});
+        if (!snappingExplains(scene, view, shown.triangle[pixel], other, centre, gap, shown.depth[pixel])) ++beyond;
+    }
+    return beyond;
+}
+
+JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, const Reference& reference,
+                  Framebuffer& target) {
+    const Scene& scene = buffers.scene();
+    JudgedFrame judged;
+    judged.shown = shownPixels(renderer, buffers, log, target);
+    judged.accuracy = compare(reference, judged.shown, drawnTriangles(scene, log), scene);
+    judged.ownRaster = !log.drawsScene();
+    if (snappingMayExplain(log, reference.facing)) {
+        const View view(log.camera, log.size);
+        judged.lost = pixelsMissedBeyondSnapping(reference, judged.shown, scene, view);
+        judged.missedBeyondSnapping = judged.lost.size();
+        judged.lostTriangles = trianglesAt(reference, judged.lost);
+        if (judged.ownRaster) judged.extraBeyondSnapping = extraBeyondSnapping(reference, judged.shown, scene, view);
+    } else if (judged.accuracy.missedPixels > 0) {
+        const std::vector<uint8_t> missed = missedMask(reference, judged.shown);
+        for (size_t pixel = 0; pixel < missed.size(); ++pixel)
+            if (missed[pixel] != 0) judged.lost.push_back(uint32_t(pixel));
+    }
+    return judged;
+}
+
+bool snappingMayExplain(const FrameLog& log, Facing truth) { return !log.drawsScene() || log.facing != truth; }
+
+TriangleStates judgedStates(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Facing truth) {
+    const Reference reference = itemBufferReference(renderer, buffers, View(log.camera, log.size), truth);
+    Framebuffer target(log.size);
+    const JudgedFrame judged = judge(renderer, buffers, log, reference, target);
+    return triangleStates(buffers.scene(), log, reference.visible(), judged.lostTriangles);
+}
+
+}  // namespace cullscope
