@@ -61,7 +61,9 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(m_map);
+    m_mapRow = new QHBoxLayout;
+    m_mapRow->addWidget(m_map);
+    layout->addLayout(m_mapRow);
     const std::array<std::pair<QWidget*, const char*>, 6> pages{{{m_tree, "tree"},
                                                                  {m_listing, "listing"},
                                                                  {m_chart, "flow-chart"},
@@ -108,7 +110,10 @@ void StructurePanel::showToAudience() {
     followStrategy();
 }
 
-void StructurePanel::setAudienceMapHeight(int height) { m_map->setFixedHeight(height); }
+void StructurePanel::setAudienceMap(int height, int left) {
+    m_map->setFixedHeight(height);
+    m_mapRow->setContentsMargins(left, 0, 0, 0);
+}
 
 bool StructurePanel::showsCurve() const {
     return std::ranges::any_of(m_curves, [this](const CurvePanel* curve) { return curve == m_tabs->currentWidget(); });

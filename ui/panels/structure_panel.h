@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QHBoxLayout>
 #include <QTabWidget>
 #include <map>
 
@@ -40,7 +41,8 @@ public:
     void showSteps();
     /// For a lecture: the map in a low strip without a legend, and only where the strategy has one.
     void showToAudience();
-    void setAudienceMapHeight(int height);
+    /// The strip's height, and the room that stays free on its left for something that the lecture shows there.
+    void setAudienceMap(int height, int left);
     /// Whether the open tab has a curve.
     [[nodiscard]] bool showsCurve() const;
     /// The id of the open tab, and opens the one with an id, where the strategy has it.
@@ -72,6 +74,7 @@ private:
     std::map<std::string, CurvePanel*>
         m_madeCurves;  ///< by the show's id: what the user chose in one is kept while it has no tab
     MapPanel* m_map;
+    QHBoxLayout* m_mapRow;
     StructureTree* m_tree;
     ListingPanel* m_listing;
     FlowChartPanel* m_chart;

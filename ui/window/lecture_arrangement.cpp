@@ -23,10 +23,13 @@ namespace {
 constexpr QSize kDesign{1280, 720};
 constexpr int kTitle = 44;
 constexpr int kSentence = 66;
-constexpr int kStructureWidth = 480;
-constexpr int kMapHeight = 260;
-constexpr double kMapShare = 0.52;         // of the structure's height, at most
-constexpr double kMapShareByCurve = 0.45;  // the same where a curve stands below, which needs room, too
+constexpr int kStructureWidth = 480;     // beside several views
+constexpr double kMostOfPicture = 0.5;   // of the width: one picture beside the structure, which is read, too
+constexpr double kLeastOfPicture = 0.4;  // the same where little height is left
+constexpr double kShapeOfPicture = 4.0 / 3;
+constexpr double kMapShare = 0.5;          // of the structure's height: the map, with the view that watches beside it
+constexpr double kMapShareByCurve = 0.44;  // the same where a curve stands below, which needs room, too
+constexpr double kWatchingWidth = 0.42;    // of the structure's width, at most: that view beside a map
 constexpr int kFoot = 56;
 constexpr int kButton = 40;
 constexpr int kSmallestLetters = 20;
@@ -34,9 +37,8 @@ constexpr int kTitleLetters = 26;
 constexpr int kSentenceLetters = 24;
 constexpr int kNumberLetters = 24;
 constexpr int kPaneGap = 4;
-constexpr double kWatchingStepsShare = 0.32;  // the same while a frame is stepped, which the listing tells
-constexpr double kWatchingByMapShare = 0.26;  // the same where a map needs room
-constexpr double kWatchingShare = 0.45;       // of the height: the view that watches from outside, over the structure
+constexpr double kWatchingShare = 0.5;        // of the height: the view that watches from outside, over the structure
+constexpr double kWatchingStepsShare = 0.42;  // the same while a frame is stepped, which the listing tells
 
 void setLetters(QWidget& widget, int pixels, bool bold = false) {
     QFont font = widget.font();
@@ -91,9 +93,16 @@ void LectureWindow::arrangePanes(const QRect& place) {
     const bool watched = shown.size() == 2 && m_session.culledBy(shown[0]) == m_session.culledBy(shown[1]);
     const bool structure = shown.size() == 1 || watched || stepped();
     const bool map = structure && !m_structure->map().isHidden();
-    const int side = structure ? scaled(kStructureWidth) : 0, margin = scaled(kPageMargin);
-    QRect pictures = place.adjusted(0, 0, -side, 0);
+    const int margin = scaled(kPageMargin);
+    // One picture is as wide as its height lets it be. What tells of it has the rest: lines of a listing stay lines.
+    const int one = std::clamp(int(kShapeOfPicture * place.height()), int(kLeastOfPicture * place.width()),
+                               int(kMostOfPicture * place.width()));
+    const int side = !structure ? 0 : shown.size() == 1 || watched ? place.width() - one : scaled(kStructureWidth);
+    const QRect pictures = place.adjusted(0, 0, -side, 0);
     QRect inside(pictures.right() + 1 + margin, place.top(), std::max(0, side - 2 * margin), place.height());
+    const double ofMap = m_structure->showsCurve() ? kMapShareByCurve : kMapShare;
+    const int strip = int(ofMap * inside.height());
+    int besideMap = 0;
     for (ViewPane* pane : m_panes) {
         pane->setLent(shown.size() == 1 || watched ? ViewPane::Lent::Alone : ViewPane::Lent::Beside, scaled(kSmallestLetters));
         pane->setFiguresHidden(!m_revealed);
@@ -101,11 +110,16 @@ void LectureWindow::arrangePanes(const QRect& place) {
     if (watched) {
         m_panes[0]->setCompare(false);
         m_panes[1]->setCompare(false);
-        const double share = map ? kWatchingByMapShare : stepped() ? kWatchingStepsShare : kWatchingShare;
-        const int watching = int(share * place.height());
         m_panes[0]->setGeometry(pictures);
-        m_panes[1]->setGeometry(pictures.right() + 1 + kPaneGap, place.top(), side - kPaneGap, watching);
-        inside.setTop(place.top() + watching + kPaneGap);
+        if (map) {
+            const int across = std::min(int(kShapeOfPicture * strip), int(kWatchingWidth * inside.width()));
+            m_panes[1]->setGeometry(inside.left(), inside.top(), across, strip);
+            besideMap = across + scaled(kPaneGap);
+        } else {
+            const int watching = int((stepped() ? kWatchingStepsShare : kWatchingShare) * place.height());
+            m_panes[1]->setGeometry(inside.left(), inside.top(), inside.width(), watching);
+            inside.setTop(inside.top() + watching + kPaneGap);
+        }
     } else {
         const std::vector<QRect> cells = m_views.cells(pictures, shown);
         for (size_t i = 0; i < m_panes.size(); ++i) {
@@ -113,10 +127,11 @@ void LectureWindow::arrangePanes(const QRect& place) {
             m_panes[i]->setGeometry(cells[i]);
         }
     }
-    const double ofMap = m_structure->showsCurve() ? kMapShareByCurve : kMapShare;
-    m_structure->setAudienceMapHeight(std::min(scaled(kMapHeight), int(ofMap * inside.height())));
+    m_structure->setAudienceMap(strip, besideMap);
     m_structure->setVisible(structure && !m_blank && !m_session.question());
     m_structure->setGeometry(inside);
+    // The view beside the map stands in the structure's free room.
+    m_structure->lower();
 }
 
 }  // namespace cullscope::ui
