@@ -101,8 +101,7 @@ Experiment tableLayouts() {
     setting.scene = kBunny;
     experiment.settings = {setting};
     experiment.measured = layoutRows;
-    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
-    return experiment;
+    return withOtherScenes(std::move(experiment));
 }
 
 }  // namespace cullscope::han_hong

@@ -69,15 +69,6 @@ double shareWithRegion(const RunMeasurement& run) {
     return double(drawn) / double(run.frames.size());
 }
 
-Setting settingOf(const char* path, Viewport size) {
-    Setting setting;
-    setting.scene = kBunny;
-    setting.shown = "spherical";
-    setting.path = path;
-    setting.size = size;
-    return setting;
-}
-
 }  // namespace
 
 Experiment sphericalReadings() {
@@ -92,24 +83,19 @@ Experiment sphericalReadings() {
         note(CULLSCOPE_TR("Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, "
                           "36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.")),
         lossNote()};
-    Axis strategies{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
-    for (const char* baseline : {"all", "backface"}) strategies.values.emplace_back(std::string(baseline));
-    for (const std::string& reading : readings()) strategies.values.emplace_back(reading);
     Axis paths{"path", CULLSCOPE_TR("views"), Axis::Kind::Path, {}};
-    std::vector<Setting> settings{settingOf("case-1", {320, 240}), settingOf("case-2", {320, 240}),
-                                  settingOf("case-3", {320, 240}), settingOf("around-2r", kLarge),
-                                  settingOf("fibonacci:12", kLarge)};
+    std::vector<Setting> settings{bunnySetting("case-1", kSmall), bunnySetting("case-2", kSmall), bunnySetting("case-3", kSmall),
+                                  bunnySetting("around-2r", kLarge), bunnySetting("fibonacci:12", kLarge)};
     settings[3].views = viewsNearTheEdge;
+    for (const Setting& setting : settings) paths.values.emplace_back(setting.path);
+    experiment.axes = {paths, strategiesAxis(readings())};
     for (Setting& setting : settings) {
         setting.labels = {{"path", setting.path}};
-        paths.values.emplace_back(setting.path);
-        experiment.settings.push_back(settingsOf({strategies}, setting).front());
+        addTimed(experiment, setting);
     }
-    experiment.axes = {paths, strategies};
     experiment.columns = timedColumns(experiment.axes, {});
     experiment.rowsOfRuns = sphericalRows;
-    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
-    return experiment;
+    return withOtherScenes(std::move(experiment));
 }
 
 Experiment sphericalDomain() {
@@ -127,10 +113,8 @@ Experiment sphericalDomain() {
                    axisValues(std::array{1.05, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0})};
     Axis fields{kField, CULLSCOPE_TR("field of view, °"), Axis::Kind::Label,
                 axisValues(std::array{10.0, 20.0, 35.0, 45.0, 65.0, 90.0})};
-    Axis strategies{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
-    for (const char* id : {"all", "backface", "spherical"}) strategies.values.emplace_back(std::string(id));
-    experiment.axes = {fields, distances, strategies};
-    experiment.settings = settingsOf(experiment.axes, settingOf("", kLarge));
+    experiment.axes = {fields, distances, strategiesAxis({"spherical"})};
+    experiment.settings = settingsOf(experiment.axes, bunnySetting("", kLarge));
     for (Setting& setting : experiment.settings) {
         const double distance = setting.number(kDistance), field = setting.number(kField);
         setting.path = fmt::format("{:g} radii, {:g} degrees", distance, field);
@@ -172,8 +156,7 @@ Experiment sphericalDomain() {
                         map(CULLSCOPE_TR("Faces considered, %"), "considered_share", 100.0, 0),
                         map(CULLSCOPE_TR("Lost pixels, %"), "missed_pixel_rate", 100.0, 1),
                         map(CULLSCOPE_TR("Speed, × all"), "ratio_to_all", 1.0, 2)};
-    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
-    return experiment;
+    return withOtherScenes(std::move(experiment));
 }
 
 }  // namespace cullscope

@@ -1,5 +1,8 @@
 #include "core/experiments/han_hong_rows.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/scene/frustum_share.h"
 
 namespace cullscope::han_hong {
@@ -36,6 +39,18 @@ double facesInFrustum(const MeasureResult& result) {
     for (const FrameMeasurement& frame : result.runs.front().frames)
         faces += double(trianglesInFrustum(*request.scene, View(request.path.camera(frame.pose), request.size)));
     return faces / double(result.runs.front().frames.size());
+}
+
+/// An experiment of another scene: without what the paper states of its own.
+Experiment ofOtherScene(Experiment experiment, const std::string& scene) {
+    std::erase_if(experiment.columns, [](const ResultColumn& column) { return column.origin == Origin::Stated; });
+    for (Setting& setting : experiment.settings) {
+        setting.scene = scene;
+        setting.stated.clear();
+    }
+    experiment.checks.clear();
+    experiment.ofScene = {};
+    return experiment;
 }
 
 }  // namespace
@@ -81,14 +96,29 @@ std::vector<ResultColumn> timedColumns(const std::vector<Axis>& axes, const std:
     return columns;
 }
 
-Experiment ofOtherScene(Experiment experiment, const std::string& scene) {
-    std::erase_if(experiment.columns, [](const ResultColumn& column) { return column.origin == Origin::Stated; });
-    for (Setting& setting : experiment.settings) {
-        setting.scene = scene;
-        setting.stated.clear();
-    }
-    experiment.checks.clear();
-    experiment.ofScene = {};
+Setting bunnySetting(const std::string& path, Viewport size) {
+    Setting setting;
+    setting.scene = kBunny;
+    setting.shown = "spherical";
+    setting.path = path;
+    setting.size = size;
+    return setting;
+}
+
+Axis strategiesAxis(const std::vector<std::string>& further) {
+    Axis axis{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {std::string("all"), std::string("backface")}};
+    axis.values.insert(axis.values.end(), further.begin(), further.end());
+    return axis;
+}
+
+void addTimed(Experiment& experiment, const Setting& setting) {
+    std::vector<Axis> inTurns;
+    std::ranges::copy_if(experiment.axes, std::back_inserter(inTurns), &Axis::inTurns);
+    experiment.settings.push_back(settingsOf(inTurns, setting).front());
+}
+
+Experiment withOtherScenes(Experiment experiment) {
+    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
     return experiment;
 }
 

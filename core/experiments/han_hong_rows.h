@@ -22,7 +22,14 @@ inline constexpr const char* kField = "field_degrees";
 /// The columns of such rows: those of the axes first, then `paper`.
 [[nodiscard]] std::vector<ResultColumn> timedColumns(const std::vector<Axis>& axes, const std::vector<ResultColumn>& paper);
 
-/// An experiment of another scene: without what the paper states of its own.
-[[nodiscard]] Experiment ofOtherScene(Experiment experiment, const std::string& scene);
+/// A timed setting of the bunny along a path, with `spherical` on screen.
+[[nodiscard]] Setting bunnySetting(const std::string& path, Viewport size);
+/// The strategies that the paper compares, the strong baseline, and further ones, to be measured in turns.
+[[nodiscard]] Axis strategiesAxis(const std::vector<std::string>& further);
+/// Adds a setting with what the experiment's axes vary within it.
+void addTimed(Experiment& experiment, const Setting& setting);
+
+/// The same experiment, which also measures any other scene: then without what the paper states of its own.
+[[nodiscard]] Experiment withOtherScenes(Experiment experiment);
 
 }  // namespace cullscope::han_hong

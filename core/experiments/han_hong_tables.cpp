@@ -158,30 +158,11 @@ std::string sizeText(Viewport size) { return std::to_string(size.width) + "×" +
 const char* uploadId(Upload upload) { return upload == Upload::Vbo ? "vbo" : "vertex-array"; }
 
 Setting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
-    Setting setting;
-    setting.scene = kBunny;
-    setting.shown = "spherical";
-    setting.path = path;
-    setting.size = size;
+    Setting setting = bunnySetting(path, size);
     setting.windows = windows;
     setting.upload = upload;
     setting.labels = {{"size", sizeText(size)}, {"windows", double(windows)}, {"upload", std::string(uploadId(upload))}};
     return setting;
-}
-
-/// The strategies that the papers compare, and the strong baseline.
-Axis paperStrategies() {
-    return {"strategy",
-            CULLSCOPE_TR("strategy"),
-            Axis::Kind::Strategy,
-            {std::string("all"), std::string("backface"), std::string("spherical")}};
-}
-
-/// A setting with what is varied within it.
-void addTimed(Experiment& experiment, const Setting& setting) {
-    std::vector<Axis> inTurns;
-    std::ranges::copy_if(experiment.axes, std::back_inserter(inTurns), &Axis::inTurns);
-    experiment.settings.push_back(settingsOf(inTurns, setting).front());
 }
 
 /// `different`: the windows show different views of a case's path; of one window nothing else can be.
@@ -234,8 +215,9 @@ Experiment table2() {
         casesExperiment("table-2", CULLSCOPE_TR("One window of 320 × 240, the object cut by the frustum"), "Table 2");
     std::vector<ResultColumn> paper = paperFpsColumns();
     paper.insert(paper.begin(), {"paper_faces", CULLSCOPE_TR("paper: faces"), Origin::Stated});
-    experiment.axes = {
-        {kField, CULLSCOPE_TR("field of view, °"), Axis::Kind::Label, axisValues(kFields)}, caseAxis(), paperStrategies()};
+    experiment.axes = {{kField, CULLSCOPE_TR("field of view, °"), Axis::Kind::Label, axisValues(kFields)},
+                       caseAxis(),
+                       strategiesAxis({"spherical"})};
     experiment.columns = timedColumns(experiment.axes, paper);
     for (const double field : kFields) addCases(experiment, kTable2, kSmall, 1, field);
     for (size_t i = 0; i < experiment.settings.size(); ++i) {
@@ -250,7 +232,7 @@ Experiment table3() {
     experiment.axes = {{"size", CULLSCOPE_TR("size"), Axis::Kind::Label, {sizeText(kSmall), sizeText(kLarge)}},
                        windowViewsAxis(),
                        caseAxis(),
-                       paperStrategies()};
+                       strategiesAxis({"spherical"})};
     experiment.columns = timedColumns(experiment.axes, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
     experiment.notes.insert(experiment.notes.begin() + 2, windowViewsNote());
@@ -261,8 +243,10 @@ Experiment table3() {
 
 Experiment table4() {
     Experiment experiment = casesExperiment("table-4", CULLSCOPE_TR("Four and eight windows of 320 × 240"), "Table 4");
-    experiment.axes = {
-        {"windows", CULLSCOPE_TR("windows"), Axis::Kind::Label, {4.0, 8.0}}, windowViewsAxis(), caseAxis(), paperStrategies()};
+    experiment.axes = {{"windows", CULLSCOPE_TR("windows"), Axis::Kind::Label, {4.0, 8.0}},
+                       windowViewsAxis(),
+                       caseAxis(),
+                       strategiesAxis({"spherical"})};
     experiment.columns = timedColumns(experiment.axes, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
     experiment.notes.insert(experiment.notes.begin() + 2, windowViewsNote());
@@ -292,8 +276,7 @@ Experiment table5() {
                         CULLSCOPE_TR("upload"),
                         Axis::Kind::Label,
                         {std::string(uploadId(Upload::VertexArray)), std::string(uploadId(Upload::Vbo))}},
-                       paperStrategies()};
-    experiment.axes.back().values.emplace_back(std::string("spherical-horizon"));
+                       strategiesAxis({"spherical", "spherical-horizon"})};
     experiment.columns = timedColumns(experiment.axes, {{"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Stated},
                                                         {"paper_fps_min", CULLSCOPE_TR("paper: fps min"), Origin::Stated},
                                                         {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Stated},
@@ -310,7 +293,7 @@ Experiment table5() {
 
 std::vector<Experiment> hanHongTables() {
     std::vector<Experiment> tables{table1(), table2(), table3(), table4(), table5()};
-    for (Experiment& table : tables) table.ofScene = [table](const std::string& scene) { return ofOtherScene(table, scene); };
+    for (Experiment& table : tables) table = withOtherScenes(std::move(table));
     return tables;
 }
 

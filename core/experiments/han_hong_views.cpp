@@ -253,8 +253,7 @@ Experiment tableViews() {
     setting.scene = kBunny;
     experiment.settings = {setting};
     experiment.measured = rowsOfViews;
-    experiment.ofScene = [experiment](const std::string& scene) { return ofOtherScene(experiment, scene); };
-    return experiment;
+    return withOtherScenes(std::move(experiment));
 }
 
 }  // namespace cullscope::han_hong

@@ -20,7 +20,7 @@ struct FiguresPage : ::testing::Test {
         window.actions().figures->trigger();
         dialog = window.findChild<FiguresDialog*>();
         ASSERT_NE(dialog, nullptr);
-        choose([&] { dialog->scenes().setCurrentIndex(1); });
+        EXPECT_EQ(dialog->scenes().currentIndex(), 1) << "the scene that is open";
     }
     /// Waits for the page that a change draws.
     template <typename Change>
@@ -40,12 +40,10 @@ struct FiguresPage : ::testing::Test {
 
 TEST_F(FiguresPage, drawsWhatIsChosenAndSavesItAsPictureAndNumbers) {
     EXPECT_TRUE(dialog->cases().isEnabled());
-    const QImage flow = dialog->picture();
-    ASSERT_FALSE(flow.isNull());
-    choose([&] { dialog->cases().setCurrentIndex(0); });
+    EXPECT_FALSE(dialog->saveButton().isEnabled()) << "not drawn yet";
     choose([&] { dialog->figures().setCurrentIndex(5); });
     EXPECT_FALSE(dialog->cases().isEnabled()) << "Figure 6 shows all of the object";
-    EXPECT_NE(dialog->picture(), flow);
+    EXPECT_FALSE(dialog->picture().isNull());
     ASSERT_TRUE(dialog->saveButton().isEnabled());
     const QTemporaryDir folder;
     for (const auto& [kind, name, begin] : {std::tuple(FiguresDialog::File::Png, "f.png", "\x89PNG"),
@@ -66,6 +64,7 @@ TEST(FiguresPageAlone, saysThatNoSceneIsOpen) {
     Session session{sessionOptions(true)};
     FiguresDialog dialog(session);
     QSignalSpy drawn(&dialog, &FiguresDialog::drawn);
+    EXPECT_EQ(dialog.scenes().currentIndex(), 0) << "no scene is open";
     dialog.scenes().setCurrentIndex(1);
     EXPECT_EQ(drawn.size(), 1);
     EXPECT_FALSE(dialog.drawing()) << "the paper's bunny is not waited for";

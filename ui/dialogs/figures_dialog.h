@@ -17,7 +17,7 @@
 
 namespace cullscope::ui {
 
-/// The figures of Han & Hong 2008 as pages, as `cullbench figure` draws them, of the paper's bunny or of the open scene. A page
+/// The figures of Han & Hong 2008 as pages, as `cullbench figure` draws them, of the open scene or of the paper's bunny. A page
 /// is drawn on a thread and an OpenGL context of its own at once when it is chosen, and saved as a picture or as its numbers.
 class FiguresDialog : public QDialog {
     Q_OBJECT
