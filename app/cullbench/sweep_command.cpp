@@ -18,6 +18,7 @@ struct SweepOptions {
     RunOptions run;
     TableFiles files;
     std::vector<std::string> strategies, parameters, varied;
+    std::string store;
     bool noLimit = false;
 };
 
@@ -91,18 +92,23 @@ void run(const SweepOptions& options, Context& context) {
     setting.upload = options.run.uploadBy();
     setting.limitToo = !options.noLimit;
     checkTableFiles(options.files);
+    const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, "sweep", context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : requestsOf(setting)) requireAvailable(strategy, gl.info());
     setting.path = options.run.pathFor(*opened.scene);
     setting.views = [&](const Scene& scene) { return options.run.viewsOf(scene, {nullptr, context.stop}); };
-    const ExperimentStage stage{[&](size_t, const Progress&) { return opened.scene; }};
+    const ExperimentStage stage{[&](size_t, const Progress&) { return opened.scene; },
+                                [&](const MeasureRequest& request, const Progress& progress) {
+                                    return store::measureInto(recorder.get(), request, progress);
+                                }};
     const std::vector<ResultTable> tables{
         runExperiment(experiment, {{}, options.run.repeat}, terminalProgress(context), {}, stage)};
     clearProgress();
     writeTables(options.files, tables);
     context.exitStatus = tableStatus(tables);
     printText(tableOutput(options.files), tableText(tables.front()));
+    requireRecorded(recorder);
 }
 
 }  // namespace
@@ -119,6 +125,7 @@ void addSweepCommand(CLI::App& app, Context& context) {
     command->add_option("--json", options->files.json, "result file; - is standard output");
     command->add_option("--csv", options->files.csv, "result file with one row a value; - is standard output");
     command->add_option("--svg", options->files.svg, "the plot of speed against losses; - is standard output");
+    addStoreOption(*command, options->store);
     command->callback([options, &context] { run(*options, context); });
 }
 
