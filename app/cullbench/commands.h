@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/experiments/store/recorder.h"
 #include "core/measure/meter.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
@@ -18,6 +20,7 @@ struct Context {
     std::stop_token stop;             ///< Ctrl-C
     SceneSourceOptions sceneOptions;  ///< --models
     int exitStatus = 0;               ///< of the command, where it throws no error
+    std::string command;              ///< the words that the program was given, as a shell takes them
 };
 
 void addListCommand(CLI::App& app, Context& context);
@@ -36,6 +39,7 @@ void addCertifyCommand(CLI::App& app, Context& context);
 void addAdviseCommand(CLI::App& app, Context& context);
 void addRaceCommand(CLI::App& app, Context& context);
 void addWorstCommand(CLI::App& app, Context& context);
+void addStoreCommand(CLI::App& app, Context& context);
 
 /// A progress bar on standard error where that is a terminal; none in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);
@@ -104,6 +108,14 @@ void addLimitOption(CLI::App& command, bool& noLimit);
 CLI::Option* addFieldOption(CLI::App& command, double& fovx);
 /// `-s` and `-p`; `strategiesOf` reads them.
 void addStrategyOptions(CLI::App& command, std::vector<std::string>& strategies, std::vector<std::string>& parameters);
+
+/// --store FILE: every pose goes into that store once it is measured.
+void addStoreOption(CLI::App& command, std::string& store);
+/// The recorder of --store; null without it. Throws where the store cannot be opened.
+[[nodiscard]] std::unique_ptr<store::Recorder> recorderOf(const std::string& store, const std::string& experiment,
+                                                          const Context& context);
+/// Throws the Error that kept measurements from the store; to be called when everything else is said.
+void requireRecorded(const std::unique_ptr<store::Recorder>& recorder);
 
 /// Throws Error(OpenGl) with one sentence where this OpenGL does not meet a strategy's requirement.
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);

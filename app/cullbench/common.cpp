@@ -184,6 +184,19 @@ void addLimitOption(CLI::App& command, bool& noLimit) {
     command.add_flag("--no-limit", noLimit, "without the limit of culling, and so without shares of the headroom");
 }
 
+void addStoreOption(CLI::App& command, std::string& store) {
+    command.add_option("--store", store, "result store (SQLite) that every pose goes into once it is measured");
+}
+
+std::unique_ptr<store::Recorder> recorderOf(const std::string& store, const std::string& experiment, const Context& context) {
+    if (store.empty()) return nullptr;
+    return std::make_unique<store::Recorder>(store, store::Origin{experiment, context.command});
+}
+
+void requireRecorded(const std::unique_ptr<store::Recorder>& recorder) {
+    if (recorder && recorder->failure()) throw *recorder->failure();
+}
+
 void addViewOptions(CLI::App& command, RunOptions& options) {
     command.add_option(
         "--path", options.path,

@@ -15,7 +15,7 @@ namespace {
 struct MeasureOptions {
     SceneChoice scene;
     RunOptions run;
-    std::string json, csv;
+    std::string json, csv, store;
     std::vector<std::string> strategies, parameters;
     bool noAccuracy = false, noLimit = false;
 };
@@ -212,16 +212,18 @@ void run(const MeasureOptions& options, Context& context) {
     // What can be wrong with the words is said before a long load.
     MeasureRequest request = requestOf(options);
     checkOutputs(options);
+    const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, "measure", context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
     request.scene = opened.scene;
     request.path = options.run.viewsOf(*opened.scene, {nullptr, context.stop});
-    const MeasureResult result = measure(request, terminalProgress(context));
+    const MeasureResult result = store::measureInto(recorder.get(), request, terminalProgress(context));
     clearProgress();
     if (result.interrupted && result.runs.front().frames.empty()) throwNothingMeasured();
     context.exitStatus = statusOf(result);
     report(options, result);
+    requireRecorded(recorder);
 }
 
 }  // namespace
@@ -236,6 +238,7 @@ void addMeasureCommand(CLI::App& app, Context& context) {
     command->add_flag("--no-accuracy", options->noAccuracy, "time only, without the limit of culling");
     command->add_option("--json", options->json, "result file; - is standard output");
     command->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");
+    addStoreOption(*command, options->store);
     command->callback([options, &context] { run(*options, context); });
 }
 

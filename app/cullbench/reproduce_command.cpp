@@ -17,6 +17,7 @@ struct CommandOptions {
     std::string scene;  ///< in place of the experiment's own; empty: its own
     TableFiles files;
     int repeat = 0;
+    std::string store;
 };
 
 /// An experiment with a scene of the user's.
@@ -63,12 +64,19 @@ private:
 
 /// Adds a table for each experiment; finished tables stay where a later experiment fails.
 void reproduceAll(const std::vector<const Experiment*>& experiments, const ExperimentOptions& options, const Progress& progress,
-                  TablePrinter& printer, std::vector<ResultTable>& tables) {
+                  TablePrinter& printer, store::Recorder* recorder, std::vector<ResultTable>& tables) {
     std::optional<HeadlessContext> gl;
+    MeasuredScene shared;
+    ExperimentStage stage;
+    stage.measure = [&](const MeasureRequest& request, const Progress& measuring) {
+        return store::measureInto(recorder, request, measuring, &shared);
+    };
     const double count = double(experiments.size());
     for (size_t i = 0; i < experiments.size() && (tables.empty() || !tables.back().interrupted); ++i) {
         if (experiments[i]->needsOpenGl() && !gl) gl.emplace();
-        tables.push_back(runExperiment(*experiments[i], options, progress.part(double(i) / count, double(i + 1) / count)));
+        if (recorder != nullptr) recorder->setExperiment(experiments[i]->id);
+        tables.push_back(
+            runExperiment(*experiments[i], options, progress.part(double(i) / count, double(i + 1) / count), {}, stage));
         clearProgress();
         printer.print(tables.back());
     }
@@ -93,17 +101,20 @@ void run(const CommandOptions& options, Context& context) {
     if (!options.files.csv.empty() && experiments.size() > 1)
         throwUsage(CULLSCOPE_TR("--csv has the rows of one experiment: name it in place of %1."), {options.experiment});
     checkTableFiles(options.files);
+    const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, options.experiment, context);
     std::vector<ResultTable> tables;
     std::optional<Error> failure;
     TablePrinter printer(options.files);
     try {
-        reproduceAll(experiments, {context.sceneOptions, options.repeat}, terminalProgress(context), printer, tables);
+        reproduceAll(experiments, {context.sceneOptions, options.repeat}, terminalProgress(context), printer, recorder.get(),
+                     tables);
     } catch (const Error& error) {
         failure = error;
     }
     if (!tables.empty()) writeTables(options.files, tables);
     if (failure) throw *failure;
     context.exitStatus = tableStatus(tables);
+    requireRecorded(recorder);
 }
 
 }  // namespace
@@ -121,6 +132,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     command->add_option("--csv", options->files.csv, "result file with the rows of one experiment; - is standard output");
     command->add_option("--svg", options->files.svg, "the plots of experiments that have one; - is standard output");
     command->add_option("--png", options->files.png, "the same as one picture: .png, .jpg or .tif; - is standard output (PNG)");
+    addStoreOption(*command, options->store);
     command->callback([options, &context] { run(*options, context); });
 }
 

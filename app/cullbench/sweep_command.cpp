@@ -20,6 +20,7 @@ struct SweepOptions {
     RunOptions run;
     TableFiles files;
     std::vector<std::string> strategies, parameters, varied;
+    std::string store;
     bool noLimit = false;
     std::string across = kUsualAcross, up = kUsualUp;
 };
@@ -111,18 +112,23 @@ void run(const SweepOptions& options, Context& context) {
     setting.upload = options.run.uploadBy();
     setting.limitToo = !options.noLimit;
     checkTableFiles(options.files);
+    const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, "sweep", context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : requestsOf(setting)) requireAvailable(strategy, gl.info());
     setting.path = options.run.pathFor(*opened.scene);
     setting.views = [&](const Scene& scene) { return options.run.viewsOf(scene, {nullptr, context.stop}); };
-    const ExperimentStage stage{[&](size_t, const Progress&) { return opened.scene; }};
+    const ExperimentStage stage{[&](size_t, const Progress&) { return opened.scene; },
+                                [&](const MeasureRequest& request, const Progress& progress) {
+                                    return store::measureInto(recorder.get(), request, progress);
+                                }};
     const std::vector<ResultTable> tables{
         runExperiment(experiment, {{}, options.run.repeat}, terminalProgress(context), {}, stage)};
     clearProgress();
     write(options, tables, TradePlot(tradePoints(tables.front()), across, up));
     context.exitStatus = tableStatus(tables);
     printText(tableOutput(options.files), tableText(tables.front()));
+    requireRecorded(recorder);
 }
 
 }  // namespace
@@ -142,6 +148,7 @@ void addSweepCommand(CLI::App& app, Context& context) {
                         "the plot of losses against speed, or of --y against --x; - is standard output");
     command->add_option("--x", options->across, "figure across in the plot, by its name in the files")->capture_default_str();
     command->add_option("--y", options->up, "figure upwards in the plot, by its name in the files")->capture_default_str();
+    addStoreOption(*command, options->store);
     command->callback([options, &context] { run(*options, context); });
 }
 

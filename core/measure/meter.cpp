@@ -167,7 +167,7 @@ public:
         result.interrupted = !complete();
         for (size_t i = 0; i < m_runs.size(); ++i) {
             const bool askedFor = m_contestants.strategies[i].askedFor;
-            const bool isLimit = m_request.limitToo && m_runs[i].strategy == limitAtDefaults();
+            const bool isLimit = this->isLimit(i);
             if (!askedFor && !isLimit) continue;
             RunMeasurement run = m_runs[i];
             run.summary = summaryOf(m_runs[i], m_runs, *m_request.scene);
@@ -177,7 +177,17 @@ public:
         return result;
     }
 
+    [[nodiscard]] std::vector<Measuring> runs() const {
+        std::vector<Measuring> runs;
+        for (size_t i = 0; i < m_runs.size(); ++i) runs.push_back({&m_runs[i], m_contestants.strategies[i].askedFor, isLimit(i)});
+        return runs;
+    }
+    [[nodiscard]] const MeasureRequest& request() const { return m_request; }
+    [[nodiscard]] const GlInfo& gl() const { return m_gl; }
+
 private:
+    [[nodiscard]] bool isLimit(size_t i) const { return m_request.limitToo && m_runs[i].strategy == limitAtDefaults(); }
+
     /// The pose in progress.
     struct Pose {
         View view;
@@ -275,6 +285,9 @@ void Meter::step(const std::stop_token& stop) { m_experiment->step(stop); }
 bool Meter::complete() const { return m_experiment->complete(); }
 size_t Meter::poses() const { return m_experiment->poses(); }
 MeasureResult Meter::resultSoFar() const { return m_experiment->resultSoFar(); }
+std::vector<Meter::Measuring> Meter::runs() const { return m_experiment->runs(); }
+const MeasureRequest& Meter::request() const { return m_experiment->request(); }
+const GlInfo& Meter::gl() const { return m_experiment->gl(); }
 
 void MeasuredScene::show(const ScenePointer& scene) {
     if (m_scene == scene) return;
@@ -320,7 +333,7 @@ MeasureResult measure(const MeasureRequest& request, const Progress& progress, c
                 if (error.kind() != ErrorKind::Interrupted) throw;
             }
         }
-        if (afterPose) afterPose([&] { return meter.resultSoFar(); });
+        if (afterPose) afterPose(meter);
     }
     return meter.resultSoFar();
 }

@@ -150,6 +150,18 @@ public:
     /// Costs a copy and the bootstraps: call it only where the result is needed. `interrupted` while poses are missing.
     [[nodiscard]] MeasureResult resultSoFar() const;
 
+    /// A strategy's run with the poses measured completely so far, without its summary.
+    struct Measuring {
+        const RunMeasurement* run;
+        bool askedFor;  ///< false: measured only for the ratios
+        bool isLimit;   ///< MeasureResult::limit
+    };
+    /// All runs, without a copy; valid until the next step.
+    [[nodiscard]] std::vector<Measuring> runs() const;
+    /// What is measured: with baselines and limit where they have runs.
+    [[nodiscard]] const MeasureRequest& request() const;
+    [[nodiscard]] const GlInfo& gl() const;
+
 private:
     class Experiment;
     std::unique_ptr<Experiment> m_experiment;
@@ -178,8 +190,8 @@ private:
     size_t m_uploads = 0;
 };
 
-/// Called with a function that makes a result of the poses measured so far; to be called only before the observer returns.
-using PoseObserver = std::function<void(const std::function<MeasureResult()>& resultSoFar)>;
+/// Called with the meter, whose poses so far are measured completely.
+using PoseObserver = std::function<void(const Meter& meter)>;
 
 /// Builds, uploads and runs a Meter to its end. Needs a current context. A stop request ends it at the next frame, and the poses
 /// measured until then are returned; errors are thrown. `afterPose` is called on the measuring thread after every complete pose.

@@ -50,6 +50,10 @@ std::optional<RatioEstimate> headroomShareOf(const RunMeasurement& run, const st
 }  // namespace
 
 Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, const Scene& scene) {
+    return summaryOf(run, runs, scene.triangleCount());
+}
+
+Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, uint64_t triangles) {
     const std::vector<FrameMeasurement>& frames = run.frames;
     Summary summary;
     if (frames.empty()) return summary;
@@ -58,7 +62,7 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     for (const FrameMeasurement& frame : frames) {
         times.push_back(frame.frameMilliseconds);
         cull += frame.cullMilliseconds;
-        submitted += frame.submitted.share(scene.triangleCount());
+        submitted += frame.submitted.share(triangles);
         summary.fpsMean += 1000.0 / frame.frameMilliseconds / double(frames.size());
     }
     const double total = std::accumulate(times.begin(), times.end(), 0.0);
@@ -69,7 +73,7 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     summary.frameMillisecondsP95 = quantile(times, 0.95);
     summary.frameMillisecondsP99 = quantile(times, 0.99);
     summary.cullShare = cull / total;
-    summary.culledFraction = scene.triangleCount() > 0 ? 1.0 - submitted / double(frames.size()) : 0.0;
+    summary.culledFraction = triangles > 0 ? 1.0 - submitted / double(frames.size()) : 0.0;
     if (const std::optional<Losses> lost = run.losses())
         summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
     compareTo(baselineAtDefaults(BaselineRole::Triangles), run, runs, summary.ratioToTriangles, summary.speedupVsTriangles);

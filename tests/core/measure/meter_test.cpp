@@ -248,8 +248,8 @@ TEST(Measure, measurementsOfOneSceneShareItsUploadAndItsStructures) {
 
 TEST(Measure, resultSoFarHasEveryPoseAndASummary) {
     size_t calls = 0;
-    const MeasureResult result = measure(smallExperiment({"frustum", "all"}), {}, [&](const auto& resultSoFar) {
-        const MeasureResult partial = resultSoFar();
+    const MeasureResult result = measure(smallExperiment({"frustum", "all"}), {}, [&](const Meter& meter) {
+        const MeasureResult partial = meter.resultSoFar();
         ++calls;
         EXPECT_EQ(partial.interrupted, calls < 3);
         EXPECT_FALSE(partial.gl.renderer.empty());

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+
+#include "app/cullbench/commands.h"
+#include "app/cullbench/output.h"
+#include "core/base/error.h"
+#include "core/experiments/store/comparison.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+struct StoreOptions {
+    std::string file;
+    store::Filter filter;
+    int64_t number = 0;
+    std::string a, b, json, csv;
+    std::vector<std::string> files;
+};
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string stateOf(const store::Listed& listed) {
+    if (listed.poses == 0) return "figures";
+    if (!listed.interrupted) return "whole";
+    return fmt::format("{} of {} poses{}", listed.measured, listed.poses, listed.ended ? "" : ", no end");
+}
+
+void list(const StoreOptions& options) {
+    const store::ResultStore opened(options.file, store::Database::Access::Existing);
+    const std::vector<store::Listed> all = opened.list(options.filter);
+    say("{:>6}  {:<24} {:<14} {:<22} {:<24} {:<14} {:>9}  {}\n", "number", "started (UTC)", "experiment", "measured", "scene",
+        "path", "size", "strategies");
+    for (const store::Listed& each : all)
+        say("{:>6}  {:<24} {:<14} {:<22} {:<24} {:<14} {:>9}  {}\n", each.number, each.started, each.origin.experiment,
+            stateOf(each), each.scene, each.path, fmt::format("{}x{}", each.size.width, each.size.height),
+            joined(each.strategies));
+    for (const store::StoredCertificate& each : opened.certificates())
+        say("certificate {}  {}  {}\n", each.number, each.added, each.strategy);
+}
+
+std::string interval(const RatioEstimate& estimate) {
+    if (estimate.ratio == 0.0) return "-";
+    if (!estimate.hasInterval) return fmt::format("{:.2f}", estimate.ratio);
+    return fmt::format("{:.2f} [{:.2f},{:.2f}]", estimate.ratio, estimate.ci95[0], estimate.ci95[1]);
+}
+
+std::string lostText(const std::optional<Losses>& losses) {
+    if (!losses) return "-";
+    return std::to_string(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels);
+}
+
+void show(const StoreOptions& options) {
+    const store::Stored stored = store::ResultStore(options.file, store::Database::Access::Existing).read(options.number);
+    const store::Listed& listed = stored.listed;
+    say("{}: {}, {}\n", listed.number, listed.started, stateOf(listed));
+    if (!listed.origin.command.empty()) say("{}\n", listed.origin.command);
+    if (!listed.tool.version.empty()) say("{} {} ({})\n", listed.tool.name, listed.tool.version, listed.tool.commit);
+    if (!listed.cpu.empty())
+        say("{}, {}{}\n", listed.cpu, listed.gl.renderer, listed.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
+    if (!listed.sceneSha256.empty())
+        say("{}: {} triangles in {} objects, sha256 {}\n", listed.scene, listed.triangles, listed.instances, listed.sceneSha256);
+    say("{:<32} {:<12} {:>6} {:>9} {:>9} {:>19} {:>17} {:>10}\n", "strategy", "promise", "poses", "ms", "fps",
+        "x same sides [95 %]", "x all [95 %]", "missed px");
+    for (const store::StoredRun& run : stored.runs) {
+        if (run.old) {
+            say("{:<32} {:<12} {:>6} {:>9} {:>9} {:>19} {:>17} {:>10}\n", run.strategy, "-", "-", "-", "-",
+                run.old->ratio ? interval(*run.old->ratio) : "-", "-",
+                run.old->missedPpm ? fmt::format("{:.3g} ppm", *run.old->missedPpm) : "-");
+            continue;
+        }
+        if (!run.askedFor && !run.isLimit) continue;
+        const Summary& summary = run.run.summary;
+        say("{:<32} {:<12} {:>6} {:>9.3f} {:>9.2f} {:>19} {:>17} {:>10}\n", run.strategy, promiseId(run.run.promise),
+            run.frames.size(), summary.frameMillisecondsMedian, summary.fpsOverall, interval(summary.ratioToOwnRule),
+            interval(summary.ratioToTriangles), lostText(run.run.losses()));
+    }
+}
+
+void compareSides(const StoreOptions& options) {
+    const store::ResultStore opened(options.file, store::Database::Access::Existing);
+    const std::vector<store::Compared> all = store::compared(opened, options.a, options.b);
+    say("{:<28} {:<28} {:>6} {:>9} {:>9} {:>20} {:>10} {:>10}  {}\n", "A", "B", "poses", "ms of A", "ms of B",
+        "x of B to A [95 %]", "A missed", "B missed", "verdict");
+    for (const store::Compared& each : all)
+        say("{:<28} {:<28} {:>6} {:>9.3f} {:>9.3f} {:>20} {:>10} {:>10}  {}\n", each.a, each.b, each.poses, each.msOfA,
+            each.msOfB, interval(each.ratio), lostText(each.lostByA), lostText(each.lostByB), store::verdict(each).english());
+    if (std::ranges::none_of(all, &store::Compared::inTurns))
+        say("A and B were measured one after the other: what else the machine did then is not in the intervals.\n");
+}
+
+void exportStored(const StoreOptions& options) {
+    if (options.json.empty() && options.csv.empty()) throwUsage(CULLSCOPE_TR("Name a file with --json or --csv."));
+    if (options.json == "-" && options.csv == "-")
+        throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
+    checkOutputPlaces({options.json, options.csv});
+    const store::ResultStore opened(options.file, store::Database::Access::Existing);
+    std::vector<store::Stored> all;
+    if (options.number > 0)
+        all.push_back(opened.read(options.number));
+    else
+        for (const store::Listed& each : opened.list(options.filter)) all.push_back(opened.read(each.number));
+    if (!options.json.empty())
+        writeText(options.json, options.number > 0 ? store::storedJson(all.front()) : store::storedJson(all));
+    if (!options.csv.empty()) writeText(options.csv, store::storedCsv(all));
+}
+
+/// What a file has is told by its first field.
+void addFile(const store::ResultStore& opened, const std::string& file, const std::string& command) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file});
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (text.find("\"certificate\"") != std::string::npos && text.find("\"runs\"") == std::string::npos) {
+        say("certificate {}: {}\n", opened.addCertificate(certify::readCertificate(file)), file);
+        return;
+    }
+    say("measurement {}: {}\n", opened.addFile(text, file, {"measure", command}), file);
+}
+
+void add(const StoreOptions& options, const Context& context) {
+    const store::ResultStore opened(options.file);
+    for (const std::string& file : options.files) addFile(opened, file, context.command);
+}
+
+void addFilterOptions(CLI::App& command, store::Filter& filter) {
+    command.add_option("--scene", filter.scene, "only scenes with this in their name");
+    command.add_option("-s,--strategy", filter.strategy, "only measurements of a strategy with this in its text");
+    command.add_option("--since", filter.since, "from this date on: 2026, 2026-11 or 2026-11-25");
+    command.add_option("--until", filter.until, "up to this date, which is included");
+}
+
+}  // namespace
+
+void addStoreCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("store", "What measurements a result store has, compared and exported");
+    auto options = std::make_shared<StoreOptions>();
+    command->add_option("FILE", options->file, "result store, as --store made it")->required();
+    command->require_subcommand(1);
+    command->fallthrough(false);
+
+    CLI::App* lists = command->add_subcommand("list", "Its measurements and certificates");
+    addFilterOptions(*lists, options->filter);
+    lists->callback([options] { list(*options); });
+
+    CLI::App* shows = command->add_subcommand("show", "One measurement: where, how, and each strategy's figures");
+    shows->add_option("NUMBER", options->number, "of the measurement")->required()->check(CLI::PositiveNumber);
+    shows->callback([options] { show(*options); });
+
+    CLI::App* compares = command->add_subcommand("compare", "How many times as fast B is as A, and what each one lost");
+    compares->add_option("A", options->a, "measurement, as 3, or a strategy of it, as 3:frustum")->required();
+    compares->add_option("B", options->b, "likewise")->required();
+    compares->callback([options] { compareSides(*options); });
+
+    CLI::App* exports = command->add_subcommand("export", "Measurements as JSON and CSV, as measure writes them");
+    exports->add_option("NUMBER", options->number, "of a measurement (default: all that the filter leaves)")
+        ->check(CLI::PositiveNumber);
+    addFilterOptions(*exports, options->filter);
+    exports->add_option("--json", options->json, "result file; - is standard output");
+    exports->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");
+    exports->callback([options] { exportStored(*options); });
+
+    CLI::App* adds = command->add_subcommand("add", "Adds result files of measure and certificates of certify");
+    adds->add_option("RESULT", options->files, "JSON files")->required();
+    adds->callback([options, &context] { add(*options, context); });
+}
+
+}  // namespace cullscope::cullbench

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/experiments/certify/certify.h"
+#include "core/experiments/result_file.h"
+#include "core/experiments/store/database.h"
+#include "core/measure/meter.h"
+
+namespace cullscope::store {
+
+/// What is measured, by whom and why.
+struct Origin {
+    std::string experiment;  ///< its id, where it is one of several settings; "measure" of a measurement by itself
+    std::string command;     ///< that repeats it
+};
+
+/// A measurement of the store, without its frames.
+struct Listed {
+    int64_t number = 0;
+    std::string started;               ///< UTC, as 2026-11-25T16:50:46.123Z
+    std::optional<std::string> ended;  ///< none: it is still measured, or its program was killed
+    bool interrupted = true;           ///< poses are missing
+    Origin origin;
+    ToolVersion tool;
+    std::string cpu;
+    GlInfo gl;
+    std::string scene, sceneSha256;
+    uint64_t triangles = 0, instances = 0;
+    std::string path;
+    uint64_t poses = 0;     ///< of the path
+    uint64_t measured = 0;  ///< of them
+    Viewport size{};
+    std::vector<std::string> strategies;  ///< strategyText of those that were asked for
+};
+
+/// Figures of an experiment without its frames, as the desktop's history had them before there was a store.
+struct OldFigures {
+    std::string strategy, baseline;
+    std::optional<RatioEstimate> ratio;
+    std::optional<double> missedPpm;
+};
+struct OldExperiment {
+    std::string started, scene, path;
+    Viewport size{};
+    std::vector<OldFigures> rows;
+};
+
+/// A run with its frames.
+struct StoredRun {
+    std::string strategy;             ///< strategyText
+    RunMeasurement run;               ///< what ratios, losses and summaries need of it
+    bool askedFor = true;             ///< false: a baseline that was measured only for the ratios
+    bool isLimit = false;             ///< MeasureResult::limit
+    std::string head;                 ///< its fields as JSON
+    std::vector<std::string> frames;  ///< likewise, by pose
+    std::optional<OldFigures> old{};  ///< of an experiment of an older program: all that was kept of it
+};
+
+struct Stored {
+    Listed listed;
+    std::vector<StoredRun> runs;
+
+    /// The run of a strategy that was asked for; null: there is none.
+    [[nodiscard]] const StoredRun* find(const std::string& strategy) const;
+};
+
+/// What a list is to show; empty members take all.
+struct Filter {
+    std::string scene;         ///< a part of its name, whatever its case
+    std::string strategy;      ///< a part of a strategy's text
+    std::string since, until;  ///< the beginnings of a date, both included: 2026, 2026-11, 2026-11-25
+};
+
+/// A certificate of the store.
+struct StoredCertificate {
+    int64_t number = 0;
+    std::string added;
+    std::string strategy;
+    std::string document;  ///< certificateJson
+};
+
+/// One file with measurements (SQLite, write-ahead log). Several programs may write at once. What was committed stays, whatever
+/// ends the program.
+class ResultStore {
+public:
+    /// The version of the file's layout. A newer file is refused with a sentence, an older one is migrated.
+    static constexpr int kVersion = 2;
+
+    /// Opens a store, or makes one.
+    explicit ResultStore(const std::filesystem::path& file, Database::Access access = Database::Access::Write);
+
+    [[nodiscard]] std::vector<Listed> list(const Filter& filter = {}) const;
+    /// Throws Error(Usage) where there is no measurement of that number.
+    [[nodiscard]] Stored read(int64_t number) const;
+    void remove(int64_t number) const;
+
+    /// Adds a measurement without frames and returns its number; a pose's frames, all of them or none; and its end.
+    [[nodiscard]] int64_t begin(const Meter& meter, const Origin& origin) const;
+    void addPose(int64_t number, const Meter& meter) const;
+    void end(int64_t number, bool interrupted) const;
+    /// Adds a result file of `cullbench measure`. Its frames have no repetitions: they are one number each.
+    /// Throws Error(Input), naming `file`, where the text is none.
+    [[nodiscard]] int64_t addFile(const std::string& json, const std::string& file, const Origin& origin) const;
+
+    /// Adds them all, or none.
+    void addOld(const std::vector<OldExperiment>& experiments) const;
+
+    [[nodiscard]] int64_t addCertificate(const certify::Certificate& certificate) const;
+    [[nodiscard]] std::vector<StoredCertificate> certificates() const;
+
+    [[nodiscard]] const Database& database() const { return m_database; }
+
+private:
+    void bringToVersion() const;
+
+    Database m_database;
+};
+
+/// The time now as the store has it.
+[[nodiscard]] std::string timeText();
+
+/// The strategy of a run's fields, as a request; one that this program does not know has its text as id and no parameters.
+[[nodiscard]] StrategyRequest strategyOfHead(const std::string& head);
+
+/// A measurement as the result files that `cullbench measure` writes.
+[[nodiscard]] std::string storedJson(const Stored& stored);
+/// Several: their result files as an array of `measurements`, with their numbers.
+[[nodiscard]] std::string storedJson(const std::vector<Stored>& stored);
+/// One row a frame. Of several measurements each row begins with the measurement's number.
+[[nodiscard]] std::string storedCsv(const std::vector<Stored>& stored);
+
+}  // namespace cullscope::store

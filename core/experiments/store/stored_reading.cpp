@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cctype>
+
+#include "core/base/error.h"
+#include "core/experiments/result_fields.h"
+#include "core/experiments/store/result_store.h"
+#include "core/measure/summary.h"
+
+namespace cullscope::store {
+namespace {
+
+constexpr const char* kColumns =
+    "number, started, ended, interrupted, experiment, command, tool_name, tool_version, tool_commit, cpu, gl_renderer, "
+    "gl_version, gl_software, scene, scene_sha256, triangles, instances, path, poses, width, height, "
+    "(SELECT count(DISTINCT pose) FROM frame JOIN run ON run.number = frame.run WHERE run.measurement = measurement.number)";
+
+Listed listedOf(const Statement& row) {
+    Listed listed;
+    listed.number = row.number(0);
+    listed.started = row.text(1);
+    if (!row.isNothing(2)) listed.ended = row.text(2);
+    listed.interrupted = row.number(3) != 0;
+    listed.origin = {row.text(4), row.text(5)};
+    listed.tool = {row.text(6), row.text(7), row.text(8)};
+    listed.cpu = row.text(9);
+    listed.gl.renderer = row.text(10);
+    listed.gl.version = row.text(11);
+    listed.gl.software = row.number(12) != 0;
+    listed.scene = row.text(13);
+    listed.sceneSha256 = row.text(14);
+    listed.triangles = uint64_t(row.number(15));
+    listed.instances = uint64_t(row.number(16));
+    listed.path = row.text(17);
+    listed.poses = uint64_t(row.number(18));
+    listed.size = {static_cast<int>(row.number(19)), static_cast<int>(row.number(20))};
+    listed.measured = uint64_t(row.number(21));
+    return listed;
+}
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return c < 128 ? char(std::tolower(c)) : char(c); });
+    return text;
+}
+
+bool has(const std::string& text, const std::string& part) { return lower(text).find(lower(part)) != std::string::npos; }
+
+bool shown(const Listed& listed, const Filter& filter) {
+    if (!has(listed.scene, filter.scene)) return false;
+    const auto named = [&](const std::string& strategy) { return has(strategy, filter.strategy); };
+    if (!filter.strategy.empty() && std::ranges::none_of(listed.strategies, named)) return false;
+    if (!filter.since.empty() && listed.started.substr(0, filter.since.size()) < filter.since) return false;
+    return filter.until.empty() || listed.started.substr(0, filter.until.size()) <= filter.until;
+}
+
+/// What ratios, losses and summaries need of a frame.
+FrameMeasurement frameOf(const ResultFields& fields, bool ownRaster, const std::string& frameTimes,
+                         const std::string& cullTimes) {
+    FrameMeasurement frame;
+    frame.pose = fields.at("pose").get<size_t>();
+    frame.frameMilliseconds = fields.at("frame_ms").get<double>();
+    frame.cullMilliseconds = fields.at("cull_ms").get<double>();
+    frame.repetitions = fields.at("repetitions").get<int>();
+    frame.frameTimes = ResultFields::parse(frameTimes).get<std::vector<double>>();
+    frame.cullTimes = ResultFields::parse(cullTimes).get<std::vector<double>>();
+    frame.submitted.triangles = fields.at("submitted_triangles").get<uint64_t>();
+    frame.consideredTriangles = fields.at("considered_triangles").get<uint64_t>();
+    frame.ownRaster = ownRaster;
+    if (fields.at("covered_pixels").is_null()) return frame;
+    Accuracy accuracy;
+    accuracy.coveredPixels = fields.at("covered_pixels").get<uint64_t>();
+    accuracy.missedPixels = fields.at("missed_pixels").get<uint64_t>();
+    accuracy.extraPixels = fields.at("extra_pixels").get<uint64_t>();
+    accuracy.largestHolePixels = fields.at("largest_hole_px").get<uint64_t>();
+    frame.accuracy = accuracy;
+    frame.missedBeyondSnapping = fields.at("missed_beyond_snapping").get<uint64_t>();
+    return frame;
+}
+
+Facing facingFrom(const std::string& id) {
+    for (size_t facing = 0; facing < kFacingRules; ++facing)
+        if (id == facingId(static_cast<Facing>(facing))) return static_cast<Facing>(facing);
+    return Facing::TwoSided;
+}
+
+/// A strategy as text, one of which this program knows nothing as well.
+StrategyRequest requestFrom(const std::string& text) {
+    try {
+        return strategyFromText(text);
+    } catch (const Error&) {
+        return {text, {}};
+    }
+}
+
+void readHead(StoredRun& stored) {
+    const ResultFields head = ResultFields::parse(stored.head);
+    RunMeasurement& run = stored.run;
+    run.strategy = requestFrom(stored.strategy);
+    if (head.empty()) return;
+    for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
+        if (head.at("promise") == promiseId(promise)) run.promise = promise;
+    run.facing = facingFrom(head.at("facing").get<std::string>());
+    run.referenceFacing = facingFrom(head.at("reference_facing").get<std::string>());
+    run.ownRule = requestFrom(head.at("same_sides_baseline").get<std::string>());
+    run.structure.buildMilliseconds = head.at("build_ms").get<double>();
+    run.structure.bytes = head.at("structure_bytes").get<uint64_t>();
+}
+
+OldFigures oldFrom(const std::string& strategy, const std::string& text) {
+    const ResultFields json = ResultFields::parse(text);
+    OldFigures old;
+    old.strategy = strategy;
+    old.baseline = json.at("baseline").get<std::string>();
+    if (json.contains("ratio")) {
+        RatioEstimate ratio;
+        ratio.ratio = json.at("ratio").get<double>();
+        ratio.hasInterval = json.contains("ratio_ci95");
+        ratio.ci95 = {2.0 * ratio.ratio, 2.0 * ratio.ratio};
+        if (ratio.hasInterval) ratio.ci95 = json.at("ratio_ci95").get<std::array<double, 2>>();
+        old.ratio = ratio;
+    }
+    if (json.contains("missed_ppm")) old.missedPpm = json.at("missed_ppm").get<double>();
+    return old;
+}
+
+void readFrames(const Database& database, int64_t number, StoredRun& stored) {
+    Statement select(database, "SELECT fields, own_raster, frame_times, cull_times FROM frame WHERE run = ? ORDER BY pose");
+    select.bind(number);
+    while (select.next()) {
+        stored.frames.push_back(select.text(0));
+        stored.run.frames.push_back(
+            frameOf(ResultFields::parse(stored.frames.back()), select.number(1) != 0, select.text(2), select.text(3)));
+    }
+}
+
+void summarize(Stored& stored) {
+    std::vector<RunMeasurement> all;
+    for (const StoredRun& each : stored.runs) all.push_back(each.run);
+    for (StoredRun& each : stored.runs) each.run.summary = summaryOf(each.run, all, stored.listed.triangles);
+}
+
+}  // namespace
+
+const StoredRun* Stored::find(const std::string& strategy) const {
+    const auto found = std::ranges::find_if(
+        runs, [&](const StoredRun& run) { return (run.askedFor || run.isLimit) && run.strategy == strategy; });
+    return found == runs.end() ? nullptr : &*found;
+}
+
+StrategyRequest strategyOfHead(const std::string& head) {
+    const ResultFields fields = ResultFields::parse(head);
+    const auto id = fields.at("strategy").get<std::string>();
+    std::string text = id;
+    for (const auto& [key, value] : fields.at("parameters").items())
+        text += ":" + key + "=" + (value.is_string() ? value.get<std::string>() : value.dump());
+    StrategyRequest request = requestFrom(text);
+    return request;
+}
+
+std::vector<Listed> ResultStore::list(const Filter& filter) const {
+    std::vector<Listed> all;
+    Statement select(m_database, (std::string("SELECT ") + kColumns + " FROM measurement ORDER BY started, number").c_str());
+    while (select.next()) {
+        Listed listed = listedOf(select);
+        Statement strategies(m_database, "SELECT strategy FROM run WHERE measurement = ? AND asked_for ORDER BY place");
+        strategies.bind(listed.number);
+        while (strategies.next()) listed.strategies.push_back(strategies.text(0));
+        if (shown(listed, filter)) all.push_back(std::move(listed));
+    }
+    return all;
+}
+
+Stored ResultStore::read(int64_t number) const {
+    Stored stored;
+    {
+        Statement select(m_database, (std::string("SELECT ") + kColumns + " FROM measurement WHERE number = ?").c_str());
+        select.bind(number);
+        if (!select.next())
+            throwUsage(CULLSCOPE_TR("%1 has no measurement %2: list them with cullbench store %1 list."),
+                       {m_database.file().string(), std::to_string(number)});
+        stored.listed = listedOf(select);
+    }
+    try {
+        Statement select(
+            m_database,
+            "SELECT number, strategy, asked_for, is_limit, head, figures FROM run WHERE measurement = ? ORDER BY place");
+        select.bind(number);
+        while (select.next()) {
+            StoredRun run;
+            run.strategy = select.text(1);
+            run.askedFor = select.number(2) != 0;
+            run.isLimit = select.number(3) != 0;
+            run.head = select.text(4);
+            if (!select.isNothing(5)) run.old = oldFrom(run.strategy, select.text(5));
+            readHead(run);
+            readFrames(m_database, select.number(0), run);
+            if (run.askedFor) stored.listed.strategies.push_back(run.strategy);
+            stored.runs.push_back(std::move(run));
+        }
+    } catch (const ResultFields::exception&) {
+        m_database.refuse();
+    }
+    summarize(stored);
+    return stored;
+}
+
+std::vector<StoredCertificate> ResultStore::certificates() const {
+    std::vector<StoredCertificate> all;
+    Statement select(m_database, "SELECT number, added, strategy, document FROM certificate ORDER BY number");
+    while (select.next()) all.push_back({select.number(0), select.text(1), select.text(2), select.text(3)});
+    return all;
+}
+
+}  // namespace cullscope::store
