@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/experiments/run_rows.h"
+#include "core/experiments/trade_plot.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -58,6 +60,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         if (const std::optional<Losses> losses = run.losses())
             figures.missedPpm =
                 ppmOf(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels, losses->coveredPixels);
+        figures.values = tradeValues(rowCells({}, run));
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, run, result));
         all.push_back(std::move(figures));
     }

@@ -9,7 +9,8 @@
 
 namespace cullscope::ui {
 
-/// The commands that reproduce a table of a paper in the window, and that run the battery of extreme cases.
+/// The commands that reproduce a table of a paper in the window, that run the battery of extreme cases, that
+/// advise on the scene, and that search for the worst view.
 class PaperCommands : public QObject {
     Q_OBJECT
 
@@ -25,6 +26,8 @@ signals:
 private:
     void showDialog();
     void showStability();
+    void showAdvice();
+    void showWorst();
 
     Session& m_session;
     Experiments& m_experiments;

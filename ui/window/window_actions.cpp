@@ -78,6 +78,8 @@ void WindowActions::makeView() {
     lecture = command(Qt::Key_F5, QStringLiteral("lecture"));
     reproduce = command({});
     stability = command({});
+    advise = command({});
+    worst = command({});
     resetLayout = command({});
     systemAppearance = option(appearance, QStringLiteral("system"));
     lightAppearance = option(appearance, QStringLiteral("light"));
@@ -169,7 +171,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, stability});
+    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, stability, advise, worst});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(lookFrom);
