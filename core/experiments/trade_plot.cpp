@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/measure/field_figures.h"
@@ -132,6 +133,20 @@ std::vector<TradePoint> tradePoints(const ResultTable& table) {
     return points;
 }
 
+std::string tradeCsv(const std::vector<TradePoint>& points) {
+    ResultTable table;
+    table.columns = {{"strategy", "strategy"}, {"promise", "promise"}, {"views", "views"}};
+    for (const TradeFigure& figure : tradeFigures())
+        if (std::ranges::any_of(points, [&](const TradePoint& point) { return point.value(figure) != nullptr; }))
+            table.columns.push_back({figure.key, figure.title});
+    for (const TradePoint& point : points) {
+        Row row{{"strategy", point.name}, {"promise", std::string(promiseId(point.promise))}, {"views", double(point.views)}};
+        for (const auto& [key, value] : point.values) row[key] = value;
+        table.addRow(row);
+    }
+    return rowsCsv(table);
+}
+
 std::vector<size_t> paretoFront(std::span<const TradePoint> points, const TradeFigure& across, const TradeFigure& up,
                                 bool lossless) {
     std::vector<size_t> candidates, front;
@@ -154,13 +169,36 @@ std::vector<size_t> paretoFront(std::span<const TradePoint> points, const TradeF
     return front;
 }
 
-TradePlot::TradePlot(std::vector<TradePoint> points, const TradeFigure& across, const TradeFigure& up)
-    : m_across(&across), m_up(&up) {
-    for (TradePoint& point : points) {
-        if (point.value(across) == nullptr || point.value(up) == nullptr) continue;
-        if (!point.sweep.empty() && std::ranges::find(m_sweeps, point.sweep) == m_sweeps.end()) m_sweeps.push_back(point.sweep);
-        m_points.push_back(std::move(point));
+TradePlot::TradePlot(std::vector<TradePoint> points, const TradeFigure& across, const TradeFigure& up,
+                     std::vector<TradeSweep> sweeps)
+    : m_sweeps(std::move(sweeps)), m_across(&across), m_up(&up) {
+    if (m_sweeps.empty())
+        for (size_t i = 0; i < points.size(); ++i) {
+            if (points[i].sweep.empty()) continue;
+            const auto known = std::ranges::find(m_sweeps, points[i].sweep, &TradeSweep::name);
+            if (known == m_sweeps.end())
+                m_sweeps.push_back({points[i].sweep, {i}});
+            else
+                known->points.push_back(i);
+        }
+    // The numbers of those points that have a place.
+    std::vector<std::optional<size_t>> number(points.size());
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (points[i].value(across) == nullptr || points[i].value(up) == nullptr) continue;
+        number[i] = m_points.size();
+        m_points.push_back(std::move(points[i]));
     }
+    for (TradeSweep& sweep : m_sweeps) {
+        std::erase_if(sweep.points, [&](size_t point) { return !number[point]; });
+        for (size_t& point : sweep.points) point = *number[point];
+    }
+}
+
+size_t TradePlot::sweepOf(size_t point) const {
+    return size_t(
+        std::ranges::find_if(
+            m_sweeps, [&](const TradeSweep& sweep) { return std::ranges::find(sweep.points, point) != sweep.points.end(); }) -
+        m_sweeps.begin());
 }
 
 int TradePlot::lowestDecade(const TradeFigure& figure) const {
@@ -212,19 +250,20 @@ PlotAxis TradePlot::axis(const TradeFigure& figure, const TradeLook& look) const
 void TradePlot::addSweeps(LinePlot& plot, const TradeLook& look) const {
     for (size_t number = 0; number < m_sweeps.size(); ++number) {
         std::vector<PlotPoint> places;
-        for (const TradePoint& point : m_points)
-            if (point.sweep == m_sweeps[number]) places.push_back(place(point));
-        plot.lines.push_back(plainLine(m_sweeps[number], std::move(places), {seriesOf(look, number), 1.4}));
+        for (const size_t point : m_sweeps[number].points) places.push_back(place(m_points[point]));
+        plot.lines.push_back(plainLine(m_sweeps[number].name, std::move(places), {seriesOf(look, number), 1.4}));
     }
 }
 
 void TradePlot::addPoints(LinePlot& plot, const TradeLook& look) const {
     size_t single = m_sweeps.size();
-    for (const TradePoint& point : m_points) {
+    for (size_t i = 0; i < m_points.size(); ++i) {
+        const TradePoint& point = m_points[i];
         const PlotPoint at = place(point);
+        const size_t sweep = sweepOf(i);
         PlotColour colour = 0;
-        if (!point.sweep.empty())
-            colour = seriesOf(look, size_t(std::ranges::find(m_sweeps, point.sweep) - m_sweeps.begin()));
+        if (sweep < m_sweeps.size())
+            colour = seriesOf(look, sweep);
         else if (point.role != BaselineRole::None)
             colour = point.role == BaselineRole::Triangles ? look.darkBaseline : look.lightBaseline;
         else
@@ -235,7 +274,7 @@ void TradePlot::addPoints(LinePlot& plot, const TradeLook& look) const {
             plot.lines.push_back(plainLine({}, {{along(*m_across, x.ci95[0]), at.y}, {along(*m_across, x.ci95[1]), at.y}}, pale));
         if (const RatioEstimate& y = *point.value(*m_up); y.hasInterval)
             plot.lines.push_back(plainLine({}, {{at.x, along(*m_up, y.ci95[0])}, {at.x, along(*m_up, y.ci95[1])}}, pale));
-        plot.marks.push_back({point.sweep.empty() ? point.name : std::string(),
+        plot.marks.push_back({sweep == m_sweeps.size() ? point.name : std::string(),
                               at,
                               shapeOf(point.promise),
                               {look.style.text, 1.2},

@@ -35,7 +35,7 @@ inline constexpr const char* kUsualUp = "lost_pixel_rate";
 struct TradePoint {
     std::string name;   ///< in the legend, and in full
     std::string label;  ///< beside it
-    std::string sweep;  ///< points of one sweep are joined by a line, in their order; empty: of none
+    std::string sweep;  ///< its name, of points that are joined by a line in their order; empty: of none
     Promise promise = Promise::Approximate;
     BaselineRole role = BaselineRole::None;
     size_t views = 0;
@@ -46,10 +46,18 @@ struct TradePoint {
     /// Whether it was judged and lost nothing in any view.
     [[nodiscard]] bool lossless() const;
 };
+/// Points that are joined by a line, in its order.
+struct TradeSweep {
+    std::string name;
+    std::vector<size_t> points;
+};
 /// The figures among the cells of a run.
 [[nodiscard]] std::map<std::string, RatioEstimate> tradeValues(const Row& cells);
 /// The rows of a sweep's table (sweepExperiment).
 [[nodiscard]] std::vector<TradePoint> tradePoints(const ResultTable& table);
+
+/// The points as CSV: name, promise, views, and every figure that one of them has, with its interval.
+[[nodiscard]] std::string tradeCsv(const std::vector<TradePoint>& points);
 
 /// The points that no other one surpasses in one figure without being behind in the other, by the first figure ascending: of
 /// those that lost nothing, or of the others. Points without both numbers, and the limit of culling, are on none.
@@ -68,7 +76,9 @@ struct TradeLook {
 /// are lines; the fronts of lossless and lossy points are stepped lines.
 class TradePlot {
 public:
-    TradePlot(std::vector<TradePoint> points, const TradeFigure& across, const TradeFigure& up);
+    /// `sweeps`: of these points, which may lie on several; empty: those that the points name.
+    TradePlot(std::vector<TradePoint> points, const TradeFigure& across, const TradeFigure& up,
+              std::vector<TradeSweep> sweeps = {});
 
     [[nodiscard]] const std::vector<TradePoint>& points() const { return m_points; }  ///< those that have a place
     [[nodiscard]] const TradeFigure& across() const { return *m_across; }
@@ -87,13 +97,15 @@ public:
 private:
     [[nodiscard]] int highestDecade(const TradeFigure& figure) const;
     [[nodiscard]] PlotAxis axis(const TradeFigure& figure, const TradeLook& look) const;
+    /// The first sweep that a point lies on; as many as there are where it is on none.
+    [[nodiscard]] size_t sweepOf(size_t point) const;
     void addSweeps(LinePlot& plot, const TradeLook& look) const;
     void addPoints(LinePlot& plot, const TradeLook& look) const;
     void addFronts(LinePlot& plot, const TradeLook& look) const;
     void addBands(LinePlot& plot, const TradeLook& look) const;
 
     std::vector<TradePoint> m_points;
-    std::vector<std::string> m_sweeps;
+    std::vector<TradeSweep> m_sweeps;
     const TradeFigure *m_across, *m_up;
 };
 

@@ -34,6 +34,7 @@ std::vector<LinePlot> LinePlotWidget::plots(const QPalette& /*palette*/) const {
     for (std::string* text : {&plot.x.title, &plot.y.title}) translate(*text);
     for (PlotLine& line : plot.lines) translate(line.name);
     for (PlotReference& reference : plot.references) translate(reference.name);
+    for (PlotMark& mark : plot.marks) translate(mark.name);
     return {std::move(plot)};
 }
 

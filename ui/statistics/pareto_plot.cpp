@@ -1,162 +1,218 @@
 #include "ui/statistics/pareto_plot.h"
 
+#include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLocale>
+#include <QMouseEvent>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plots/plot_painter.h"
+#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-PlotShape shapeOf(Promise promise) {
-    if (promise == Promise::Exact) return PlotShape::Disc;
-    return promise == Promise::Conservative ? PlotShape::Square : PlotShape::Triangle;
-}
+constexpr double kReach = 12.0;  // pixels
 
 }  // namespace
 
-ParetoPlot::ParetoPlot(QWidget* parent) : PlotWidget(parent) { contentsChanged(); }
-
-void ParetoPlot::setRuns(const std::vector<RunFigures>& runs) {
-    m_runs.clear();
-    std::copy_if(runs.begin(), runs.end(), std::back_inserter(m_runs),
-                 [](const RunFigures& run) { return run.missedPpm.has_value(); });
-    m_lossUnknown = m_runs.empty() && !runs.empty();
-    m_sweepLines = runSweeps(m_runs);
+ParetoPlot::ParetoPlot(QWidget* parent)
+    : PlotWidget(parent), m_across(&tradeFigure(kUsualAcross)), m_up(&tradeFigure(kUsualUp)), m_plot({}, *m_across, *m_up) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     contentsChanged();
 }
 
-QString ParetoPlot::title() const { return tr("Speed against loss"); }
-
-QString ParetoPlot::emptySentence() const {
-    return m_lossUnknown ? tr("The missed pixels were not measured, so there is no loss to show.") : PlotWidget::emptySentence();
+void ParetoPlot::setRuns(const std::vector<RunFigures>& runs) {
+    m_runs = runs;
+    m_current.reset();
+    layOut();
 }
 
-QString ParetoPlot::description() const {
-    QStringList lines;
-    for (const RunFigures& run : m_runs)
-        lines << tr("%1, %2: ×%3, %4 per million missed")
-                     .arg(run.label, promiseWord(run.promise), ratioText(run.speedup.ratio),
-                          *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel());
+void ParetoPlot::setAxes(const TradeFigure& across, const TradeFigure& up) {
+    m_across = &across;
+    m_up = &up;
+    layOut();
+}
+
+TradePoint ParetoPlot::pointFor(size_t number) const {
+    const RunFigures& run = m_runs[number];
+    TradePoint point;
+    point.name = run.label.toStdString();
+    point.promise = run.promise;
+    point.role = run.role;
+    point.views = run.poses.size();
+    point.values = run.values;
+    point.values[kUsualAcross] = run.speedup;
+    // What counts as lost is decided where the pixels are counted.
+    if (!run.missedPpm)
+        point.values.erase(kUsualUp);
+    else if (const auto known = point.values.find(kUsualUp); known == point.values.end())
+        point.values[kUsualUp] = {*run.missedPpm / kPartsPerMillion, {}, false};
+    return point;
+}
+
+void ParetoPlot::layOut() {
+    std::vector<RunFigures> placed;
+    m_placed.clear();
+    for (size_t i = 0; i < m_runs.size(); ++i) {
+        const TradePoint point = pointFor(i);
+        if (point.value(*m_across) == nullptr || point.value(*m_up) == nullptr) continue;
+        m_placed.push_back(i);
+        placed.push_back(m_runs[i]);
+    }
+    m_sweepLines = runSweeps(placed);
+    std::vector<TradePoint> points;
+    for (size_t i = 0; i < m_placed.size(); ++i) {
+        points.push_back(pointFor(m_placed[i]));
+        points.back().label = shortLabel(i).toStdString();
+    }
+    std::vector<TradeSweep> sweeps;
+    for (const RunSweep& sweep : m_sweepLines) sweeps.push_back({sweepName(sweep.id, sweep.key).toStdString(), sweep.runs});
+    m_plot = TradePlot(std::move(points), *m_across, *m_up, std::move(sweeps));
+    contentsChanged();
+}
+
+QString ParetoPlot::title() const {
+    if (m_across->key == kUsualAcross && m_up->key == kUsualUp) return tr("Speed against loss");
+    //: Two figures, as the axes of a plot.
+    return tr("%1 by %2").arg(translated(m_up->title), translated(m_across->title));
+}
+
+QString ParetoPlot::emptySentence() const {
+    if (m_runs.empty()) return PlotWidget::emptySentence();
+    return m_up->key == kUsualUp && m_across->key == kUsualAcross
+               ? tr("The missed pixels were not measured, so there is no loss to show.")
+               : tr("No strategy has both of these figures.");
+}
+
+QString ParetoPlot::pointText(size_t run) const {
+    const auto place = std::ranges::find(m_placed, run);
+    if (place == m_placed.end()) return {};
+    const TradePoint& point = m_plot.points()[size_t(place - m_placed.begin())];
+    QStringList lines{QStringLiteral("%1, %2").arg(m_runs[run].label, promiseWord(m_runs[run].promise))};
+    for (const TradeFigure* figure : {m_across, m_up})
+        lines << tr("%1: %2", "a figure and its value")
+                     .arg(translated(figure->title),
+                          QString::fromStdString(tradeValueText(m_plot, point, *figure, look(palette()))));
     return lines.join(QLatin1Char('\n'));
 }
 
-int ParetoPlot::lowestDecade() const {
-    int lowest = 0;
-    for (const RunFigures& run : m_runs)
-        if (*run.missedPpm > 0.0) lowest = std::min(lowest, int(std::floor(std::log10(*run.missedPpm))));
-    return lowest;
+QString ParetoPlot::description() const {
+    if (m_current && *m_current < m_placed.size())
+        return tr("%1. Enter shows this strategy in the active view.").arg(pointText(m_placed[*m_current]));
+    QStringList lines;
+    for (const size_t run : m_placed) lines << pointText(run).replace(QLatin1Char('\n'), QStringLiteral(", "));
+    return lines.join(QLatin1Char('\n'));
 }
 
-int ParetoPlot::highestDecade() const {
-    int highest = 3;
-    for (const RunFigures& run : m_runs)
-        if (*run.missedPpm > 0.0) highest = std::max(highest, int(std::ceil(std::log10(*run.missedPpm))));
-    return highest;
-}
+int ParetoPlot::lowestDecade() const { return m_plot.lowestDecade(*m_up); }
 
-double ParetoPlot::height(double missedPpm) const { return missedPpm > 0.0 ? std::log10(missedPpm) : lowestDecade() - 1.0; }
+double ParetoPlot::height(double missedPpm) const { return m_plot.along(*m_up, missedPpm / kPartsPerMillion); }
 
-QString ParetoPlot::zeroLabel() const {
-    size_t views = 0;
-    for (const RunFigures& run : m_runs) views = std::max(views, run.poses.size());
-    //: Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.
-    return tr("0 (< 3/%1)").arg(views);
-}
+QString ParetoPlot::zeroLabel() const { return QString::fromStdString(m_plot.zeroLabel(*m_up, look(palette()))); }
 
-const RunSweep* ParetoPlot::sweepOf(size_t run) const {
-    const auto found = std::find_if(m_sweepLines.begin(), m_sweepLines.end(), [&](const RunSweep& sweep) {
-        return std::find(sweep.runs.begin(), sweep.runs.end(), run) != sweep.runs.end();
-    });
-    return found == m_sweepLines.end() ? nullptr : &*found;
-}
-
-QString ParetoPlot::shortLabel(size_t run) const {
+QString ParetoPlot::shortLabel(size_t placed) const {
     QStringList values;
     for (const RunSweep& sweep : m_sweepLines)
         for (size_t i = 0; i < sweep.runs.size(); ++i)
-            if (sweep.runs[i] == run) values << sweep.values[qsizetype(i)];
+            if (sweep.runs[i] == placed) values << sweep.values[qsizetype(i)];
     if (!values.isEmpty()) return values.join(QStringLiteral(" · "));
     // Ids are shorter; they do where they tell the runs apart.
-    const auto same =
-        std::count_if(m_runs.begin(), m_runs.end(), [&](const RunFigures& other) { return other.id == m_runs[run].id; });
-    return same > 1 ? m_runs[run].label : m_runs[run].id;
+    const RunFigures& run = m_runs[m_placed[placed]];
+    const auto same = std::ranges::count_if(m_placed, [&](size_t other) { return m_runs[other].id == run.id; });
+    return same > 1 ? run.label : run.id;
 }
 
-std::vector<QColor> ParetoPlot::runColours(const PlotColours& colours) const {
-    std::vector<QColor> ofRuns;
-    size_t single = m_sweepLines.size();
-    for (size_t run = 0; run < m_runs.size(); ++run) {
-        const RunSweep* sweep = sweepOf(run);
-        if (sweep)
-            ofRuns.push_back(colours.series(size_t(sweep - m_sweepLines.data())));
-        else
-            ofRuns.push_back(m_runs[run].baseline ? colours.faintText : colours.series(single++));
-    }
-    return ofRuns;
-}
-
-PlotAxis ParetoPlot::lossAxis() const {
-    const int lowest = lowestDecade(), highest = highestDecade();
-    PlotAxis axis{tr("Missed per million").toStdString(), PlotScale::Linear, lowest - 1.5, highest + 0.2};
-    axis.ticks = {{lowest - 1.0, zeroLabel().toStdString()}};
-    for (int decade = lowest; decade <= highest; ++decade)
-        axis.ticks.push_back(
-            {double(decade), QLocale().toString(std::pow(10.0, decade), 'f', std::max(0, -decade)).toStdString()});
-    return axis;
-}
-
-void ParetoPlot::addSweeps(LinePlot& plot, const PlotColours& colours) const {
-    for (size_t number = 0; number < m_sweepLines.size(); ++number) {
-        std::vector<PlotPoint> points;
-        for (const size_t run : m_sweepLines[number].runs)
-            points.push_back({m_runs[run].speedup.ratio, height(*m_runs[run].missedPpm)});
-        const std::string name = sweepName(m_sweepLines[number].id, m_sweepLines[number].key).toStdString();
-        plot.lines.push_back(plainLine(name, std::move(points), {colours.series(number).rgba(), 1.4}));
-    }
-}
-
-void ParetoPlot::addRuns(LinePlot& plot, const PlotColours& colours) const {
-    const std::vector<QColor> ofRuns = runColours(colours);
-    for (size_t i = 0; i < m_runs.size(); ++i) {
-        const RunFigures& run = m_runs[i];
-        const double y = height(*run.missedPpm);
-        // Paler than the sweeps, which run the same way where nothing is missed.
-        QColor pale = ofRuns[i];
-        pale.setAlphaF(0.5F);
-        if (run.speedup.hasInterval)
-            plot.lines.push_back(plainLine({}, {{run.speedup.ci95[0], y}, {run.speedup.ci95[1], y}}, {pale.rgba(), 1.5}));
-        // The baselines, both grey, are a dark and a light one.
-        const QColor grey = run.role == BaselineRole::Triangles ? colours.baselineCull : colours.ground;
-        plot.marks.push_back({sweepOf(i) ? std::string() : run.label.toStdString(),
-                              {run.speedup.ratio, y},
-                              shapeOf(run.promise),
-                              {colours.text.rgba(), 1.2},
-                              (run.baseline ? grey : ofRuns[i]).rgba(),
-                              shortLabel(i).toStdString()});
-    }
-    for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
-        if (std::any_of(m_runs.begin(), m_runs.end(), [&](const RunFigures& run) { return run.promise == promise; }))
-            plot.marks.push_back({tr("shape: %1").arg(promiseWord(promise)).toStdString(),
-                                  kNoPlace,
-                                  shapeOf(promise),
-                                  {colours.faintText.rgba(), 1.2, PlotStroke::Dotted}});
-}
-
-std::vector<LinePlot> ParetoPlot::plots(const QPalette& palette) const {
+TradeLook ParetoPlot::look(const QPalette& palette) const {
     const PlotColours colours(palette);
-    LinePlot plot;
-    const QString axis = tr("Speed against a baseline that draws the same sides");
-    plot.x = {axis.toStdString(), PlotScale::Linear, 0.0, 0.0, true};
-    plot.y = lossAxis();
-    plot.lines = {plainLine({}, {{1.0, plot.y.least}, {1.0, plot.y.most}}, {colours.faintText.rgba(), 1.0, PlotStroke::Dashed})};
-    addSweeps(plot, colours);
-    addRuns(plot, colours);
-    // The band on which nothing missed stands.
-    plot.bars = {{{}, colours.grid.rgba(), {{0.0, lowestDecade() - 0.5, rangeAlongX(plot).last, plot.y.least}}}};
-    return {std::move(plot)};
+    TradeLook look;
+    look.style = plotStyle(font(), colours);
+    look.darkBaseline = colours.baselineCull.rgba();
+    look.lightBaseline = colours.ground.rgba();
+    look.words = [](const Message& message) { return translated(message).toStdString(); };
+    look.decade = [](double value) {
+        return QLocale().toString(value, 'f', std::max(0, -int(std::floor(std::log10(value) + 0.5)))).toStdString();
+    };
+    return look;
+}
+
+std::vector<LinePlot> ParetoPlot::plots(const QPalette& palette) const { return {m_plot.plot(look(palette))}; }
+
+std::optional<QPointF> ParetoPlot::pointOf(size_t run) const {
+    const auto place = std::ranges::find(m_placed, run);
+    if (place == m_placed.end()) return std::nullopt;
+    const PlotDrawing drawn = drawing();
+    if (drawn.places.empty()) return std::nullopt;
+    const PlotPoint pixel = drawn.places.front().pixel(m_plot.place(m_plot.points()[size_t(place - m_placed.begin())]));
+    return QPointF(pixel.x, pixel.y);
+}
+
+std::optional<size_t> ParetoPlot::runAt(const QPointF& place) const {
+    if (empty()) return std::nullopt;
+    const PlotDrawing drawn = drawing();
+    std::optional<size_t> nearest;
+    double reach = kReach;
+    for (size_t i = 0; i < m_placed.size() && !drawn.places.empty(); ++i) {
+        const PlotPoint pixel = drawn.places.front().pixel(m_plot.place(m_plot.points()[i]));
+        const double distance = std::hypot(pixel.x - place.x(), pixel.y - place.y());
+        if (distance > reach) continue;
+        reach = distance;
+        nearest = m_placed[i];
+    }
+    return nearest;
+}
+
+bool ParetoPlot::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return PlotWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    showValues(help->pos(), help->globalPos());
+    return true;
+}
+
+void ParetoPlot::mouseMoveEvent(QMouseEvent* event) {
+    setCursor(runAt(event->position()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
+    showValues(event->position(), event->globalPosition().toPoint());
+}
+
+void ParetoPlot::showValues(const QPointF& place, const QPoint& onScreen) {
+    const std::optional<size_t> run = runAt(place);
+    if (!run)
+        QToolTip::hideText();
+    else
+        QToolTip::showText(onScreen, pointText(*run) + QLatin1Char('\n') + tr("A click shows it in the active view."), this);
+}
+
+void ParetoPlot::choose(size_t run) { emit strategyChosen({m_runs[run].id.toStdString(), m_runs[run].parameters}); }
+
+void ParetoPlot::mouseReleaseEvent(QMouseEvent* event) {
+    const std::optional<size_t> run = event->button() == Qt::LeftButton ? runAt(event->position()) : std::nullopt;
+    if (!run) return PlotWidget::mouseReleaseEvent(event);
+    choose(*run);
+}
+
+void ParetoPlot::keyPressEvent(QKeyEvent* event) {
+    if (empty()) return PlotWidget::keyPressEvent(event);
+    const size_t last = m_placed.size() - 1;
+    switch (event->key()) {
+        case Qt::Key_Left:
+            m_current = m_current && *m_current > 0 ? *m_current - 1 : 0;
+            return contentsChanged();
+        case Qt::Key_Right:
+            m_current = m_current ? std::min(last, *m_current + 1) : 0;
+            return contentsChanged();
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+        case Qt::Key_Space:
+            if (m_current) choose(m_placed[*m_current]);
+            return;
+        default:
+            PlotWidget::keyPressEvent(event);
+    }
 }
 
 }  // namespace cullscope::ui

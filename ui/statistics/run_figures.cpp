@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/experiments/run_rows.h"
+#include "core/experiments/trade_plot.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr double kPartsPerMillion = 1e6;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr double kLeastLossShare = 0.2;
 
@@ -58,6 +59,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         if (const std::optional<Losses> losses = run.losses())
             figures.missedPpm =
                 ppmOf(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels, losses->coveredPixels);
+        figures.values = tradeValues(rowCells({}, run));
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, run, result));
         all.push_back(std::move(figures));
     }

@@ -1,13 +1,17 @@
 #pragma once
 
 #include <QString>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/measure/meter.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope::ui {
+
+constexpr double kPartsPerMillion = 1e6;
 
 /// One strategy at one pose, as the plots show it.
 struct PoseFigures {
@@ -28,11 +32,12 @@ struct RunFigures {
     BaselineRole role = BaselineRole::None;
     ParameterSet parameters;
     Promise promise = Promise::Approximate;
-    double frameMilliseconds = 0.0;              ///< mean over poses
-    double cullMilliseconds = 0.0;               ///< mean over poses
-    RatioEstimate speedup;                       ///< over the baseline with the same facing rule
-    std::optional<RatioEstimate> headroomShare;  ///< Summary
-    std::optional<double> missedPpm;             ///< over all poses
+    double frameMilliseconds = 0.0;               ///< mean over poses
+    double cullMilliseconds = 0.0;                ///< mean over poses
+    RatioEstimate speedup;                        ///< over the baseline with the same facing rule
+    std::optional<RatioEstimate> headroomShare;   ///< Summary
+    std::optional<double> missedPpm;              ///< over all poses
+    std::map<std::string, RatioEstimate> values;  ///< by key of the figures that may be axes (tradeFigures)
     std::vector<PoseFigures> poses;
 };
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLeast = 8.0;
 constexpr double kLargest = 16.0;
-constexpr double kReach = 12.0;  // how far from a dot a click still counts
+constexpr double kReachOfDot = 12.0;  // how far from a dot a click still counts
 constexpr double kWidest = 3.0;  // times the height
 
 /// A ring where nothing is missed, else a disc, larger where more is.
@@ -40,7 +40,7 @@ QString SphereMap::subject() const { return tr("Loss by direction of view"); }
 int SphereMap::poseAt(const QPointF& place) const {
     const PlotPlace map = drawing().places.front();
     int nearest = -1;
-    double least = kReach;
+    double least = kReachOfDot;
     for (size_t i = 0; i < run().poses.size(); ++i) {
         const PlotPoint dot = map.pixel({run().poses[i].azimuth, run().poses[i].elevation});
         const double distance = std::hypot(dot.x - place.x(), dot.y - place.y());
@@ -71,7 +71,7 @@ std::vector<LinePlot> SphereMap::plots(const QPalette& palette) const {
     if (current() >= 0) {
         const PoseFigures& chosen = run().poses[size_t(current())];
         plot.marks.push_back(
-            {{}, {chosen.azimuth, chosen.elevation}, PlotShape::Disc, {colours.chosen.rgba(), 2.0}, 0, {}, 2.0 * (kReach - 1.0)});
+            {{}, {chosen.azimuth, chosen.elevation}, PlotShape::Disc, {colours.chosen.rgba(), 2.0}, 0, {}, 2.0 * (kReachOfDot - 1.0)});
     }
     return {std::move(plot)};
 }

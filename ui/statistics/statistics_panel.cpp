@@ -32,6 +32,8 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       m_tabs(new QTabBar(this)),
       m_source(new QComboBox(this)),
       m_run(new QComboBox(this)),
+      m_across(new QComboBox(this)),
+      m_up(new QComboBox(this)),
       m_summary(new QLabel(this)),
       m_software(new QLabel(this)),
       m_export(new QToolButton(this)),
@@ -41,6 +43,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       m_table(new QTableView(this)),
       m_tableEmpty(new QLabel(this)),
       m_model(new ResultTableModel(this)),
+      m_race(new QTableWidget(this)),
       m_historyPage(new QStackedWidget(this)),
       m_pastTable(new QTableView(this)),
       m_historyEmpty(new QLabel(this)),
@@ -54,6 +57,8 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
     setUpBars();
     setUpTable();
     setUpPlots();
+    setUpAxes();
+    setUpRace();
     setUpHistory();
     setUpMenu();
     m_pause.setSingleShot(true);
@@ -85,10 +90,12 @@ void StatisticsPanel::setUpBars() {
     m_software->hide();
     m_export->setPopupMode(QToolButton::InstantPopup);
     m_export->setMenu(m_menu);
-    for (QComboBox* box : {m_source, m_run}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_export, m_summary, m_software})
+    for (QComboBox* box : {m_source, m_run, m_across, m_up}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_across, m_up, m_export, m_summary, m_software})
         line->addWidget(widget);
-    for (QWidget* field : std::initializer_list<QWidget*>{m_tabs, m_source, m_run}) leaveWheelUnlessFocused(*field);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_across, m_up})
+        leaveWheelUnlessFocused(*field);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 0);
     layout->setSpacing(4);
@@ -105,6 +112,7 @@ void StatisticsPanel::setUpBars() {
     connect(m_run, &QComboBox::activated, this, &StatisticsPanel::refreshPoses);
     connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
         m_pages->setCurrentIndex(tab);
+        refreshRace();
         refreshControls();
     });
 }
@@ -243,14 +251,16 @@ PlotWidget* StatisticsPanel::currentPlot() const {
 }
 
 void StatisticsPanel::retranslate() {
-    const std::array<QString, TabCount> tabs{tr("Table"),  tr("Times"),  tr("Poses"),  tr("Plot"),
-                                             tr("Pareto"), tr("Sphere"), tr("History")};
+    const std::array<QString, TabCount> tabs{tr("Table"),  tr("Times"),  tr("Poses"), tr("Plot"),
+                                             tr("Pareto"), tr("Sphere"), tr("Race"),  tr("History")};
     for (int tab = 0; tab < TabCount; ++tab) m_tabs->setTabText(tab, tabs[size_t(tab)]);
     m_tabs->setAccessibleName(tr("Statistics"));
     m_source->setItemText(0, tr("at the present camera"));
     m_source->setItemText(1, tr("of the experiment"));
     m_source->setAccessibleName(tr("Which figures are shown"));
     m_run->setAccessibleName(tr("Strategy whose poses are shown"));
+    retranslateAxes();
+    m_race->setAccessibleName(tr("Each strategy against each"));
     m_table->setAccessibleName(tr("Results"));
     m_pastTable->setAccessibleName(tr("Experiments beside each other"));
     m_historyEmpty->setText(tr("Each experiment that ends appears here beside the others, also at later starts."));

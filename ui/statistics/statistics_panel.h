@@ -7,6 +7,7 @@
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTimer>
 #include <QToolButton>
 #include <array>
@@ -37,7 +38,7 @@ class StatisticsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    enum Tab { Table, Times, Poses, Path, Pareto, Sphere, History, TabCount };
+    enum Tab { Table, Times, Poses, Path, Pareto, Sphere, Race, History, TabCount };
     enum class File { Csv, Json, Svg, Pdf, Html, Report };
 
     explicit StatisticsPanel(QWidget* parent = nullptr);
@@ -80,6 +81,8 @@ signals:
     void startRequested(const cullscope::ui::ExperimentSettings& settings);
     void cancelRequested();
     void poseChosen(int pose);
+    /// The strategy of a point or of a row is to be shown in a view.
+    void strategyChosen(const cullscope::StrategyRequest& strategy);
     void exported(const QString& path);
     void failed(const cullscope::Message& message);
 
@@ -90,6 +93,9 @@ private:
     void setUpBars();
     void setUpTable();
     void setUpPlots();
+    void setUpAxes();
+    void retranslateAxes();
+    void setUpRace();
     void setUpHistory();
     void setUpMenu();
     void addPage(PlotWidget* plot);
@@ -103,6 +109,7 @@ private:
     void refreshTablePage();
     void refreshPoses();
     void refreshSummary();
+    void refreshRace();
     void fillRuns();
 
     [[nodiscard]] bool showsExperiment() const;
@@ -115,6 +122,7 @@ private:
     QTabBar* m_tabs;
     QComboBox* m_source;
     QComboBox* m_run;
+    QComboBox *m_across, *m_up;  ///< axes of the Pareto plot
     QLabel* m_summary;
     QLabel* m_software;
     QToolButton* m_export;
@@ -124,6 +132,7 @@ private:
     QTableView* m_table;
     QLabel* m_tableEmpty;
     ResultTableModel* m_model;
+    QTableWidget* m_race;           ///< each strategy of the experiment against each
     QStackedWidget* m_historyPage;  ///< the experiments beside each other, or a hint while there are none
     QTableView* m_pastTable;
     QLabel* m_historyEmpty;

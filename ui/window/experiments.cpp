@@ -55,6 +55,7 @@ StatisticsPanel* Experiments::makePanel(QWidget* parent) {
     connect(panel, &StatisticsPanel::startRequested, this, &Experiments::start);
     connect(panel, &StatisticsPanel::cancelRequested, m_runner, &SceneExperiment::cancel);
     connect(panel, &StatisticsPanel::poseChosen, this, &Experiments::goToPose);
+    connect(panel, &StatisticsPanel::strategyChosen, this, &Experiments::showStrategy);
     connect(panel, &StatisticsPanel::failed, this, [this](const Message& message) { m_session.raise(Severity::Error, message); });
     connect(panel, &StatisticsPanel::exported, this, [this](const QString& path) { m_session.tellSaved(path); });
     panel->setSoftwareOpenGl(m_session.gpu() && m_session.gpu()->info().software);
@@ -155,6 +156,12 @@ void Experiments::goToPose(int pose) {
     // Figures of another size would be others.
     m_session.setPictureSize(m_session.shownViews(), m_result->request.size);
     m_session.setCamera(path.camera(size_t(pose)));
+}
+
+void Experiments::showStrategy(const StrategyRequest& strategy) {
+    StrategySlot& slot = m_session.slot(m_session.culledBy(m_session.activeView()));
+    slot.choose(strategy.id);
+    slot.setParameters(strategy.parameters);
 }
 
 void Experiments::showLive(StatisticsPanel& panel) const {

@@ -23,6 +23,8 @@ public:
     /// Offers a recorded camera path for experiments; none withdraws it.
     void setRecordedPath(const std::optional<CameraPath>& path);
     [[nodiscard]] SceneExperiment& runner() { return *m_runner; }
+    /// Shows a strategy with its parameters in the active view, or in the one that it observes.
+    void showStrategy(const StrategyRequest& strategy);
 
 private:
     void wire();

@@ -2,9 +2,11 @@
 
 #include <QCoreApplication>
 
+#include "ui/dialogs/advise_dialog.h"
 #include "ui/dialogs/figures_dialog.h"
 #include "ui/dialogs/reproduce_dialog.h"
 #include "ui/dialogs/stability_dialog.h"
+#include "ui/dialogs/worst_dialog.h"
 
 namespace cullscope::ui {
 
@@ -18,6 +20,8 @@ PaperCommands::PaperCommands(Session& session, WindowActions& actions, Experimen
     connect(actions.reproduce, &QAction::triggered, this, &PaperCommands::showDialog);
     connect(actions.figures, &QAction::triggered, this, &PaperCommands::showFigures);
     connect(actions.stability, &QAction::triggered, this, &PaperCommands::showStability);
+    connect(actions.advise, &QAction::triggered, this, &PaperCommands::showAdvice);
+    connect(actions.worst, &QAction::triggered, this, &PaperCommands::showWorst);
     // The changes that the experiment made to the session are not steps for the user to undo.
     connect(m_runner, &PaperRunner::ended, &undo, &UndoRecorder::startAnew);
 }
@@ -37,6 +41,27 @@ void PaperCommands::showFigures() {
     auto* dialog = m_window->findChild<FiguresDialog*>();
     if (dialog == nullptr) {
         dialog = new FiguresDialog(m_session, m_window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    dialog->show();
+    dialog->raise();
+}
+
+void PaperCommands::showAdvice() {
+    auto* dialog = m_window->findChild<AdviseDialog*>();
+    if (dialog == nullptr) {
+        dialog = new AdviseDialog(m_session, m_window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        connect(dialog, &AdviseDialog::strategyWanted, &m_experiments, &Experiments::showStrategy);
+    }
+    dialog->show();
+    dialog->raise();
+}
+
+void PaperCommands::showWorst() {
+    auto* dialog = m_window->findChild<WorstDialog*>();
+    if (dialog == nullptr) {
+        dialog = new WorstDialog(m_session, m_window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
     dialog->show();

@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// The commands that reproduce a table of a paper in the window, that draw its figures, and that run the battery of extreme
-/// cases.
+/// The commands that reproduce a table of a paper in the window, that draw its figures, that run the battery of extreme cases,
+/// that advise on the scene, and that search for the worst view.
 class PaperCommands : public QObject {
     Q_OBJECT
 
@@ -27,6 +27,8 @@ private:
     void showDialog();
     void showFigures();
     void showStability();
+    void showAdvice();
+    void showWorst();
 
     Session& m_session;
     Experiments& m_experiments;

@@ -79,6 +79,8 @@ void WindowActions::makeView() {
     reproduce = command({});
     figures = command({});
     stability = command({});
+    advise = command({});
+    worst = command({});
     resetLayout = command({});
     systemAppearance = option(appearance, QStringLiteral("system"));
     lightAppearance = option(appearance, QStringLiteral("light"));
@@ -170,7 +172,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, figures, stability});
+    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, figures, stability, advise, worst});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(lookFrom);

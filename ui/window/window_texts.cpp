@@ -110,6 +110,8 @@ void WindowActions::retranslateView() {
         tr("Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours"));
     say(figures, tr("Dra&w a paper's figure…"), tr("Draw a figure of a paper anew, and save it as a picture or as its numbers"));
     say(stability, tr("Sta&bility…"), tr("Run the battery of extreme cases, and open their scenes"));
+    say(advise, tr("Adv&ise…"), tr("Measure which strategy suits this scene, what it would lose, and what it costs"));
+    say(worst, tr("W&orst view…"), tr("Search for the view in which the active view's strategy loses most or gains least"));
     say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));
     say(systemAppearance, tr("As the &system"), tr("Light or dark as the system is set"));
     say(lightAppearance, tr("&Light"), tr("Dark on light"));

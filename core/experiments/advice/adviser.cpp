@@ -21,13 +21,6 @@ constexpr double kFrameSeconds = 1.0, kLongFrames = 10.0;
 
 const StrategyInfo& infoOf(const Entrant& entrant) { return findStrategy(entrant.figures.strategy.id).info; }
 
-double sumOf(const std::vector<std::vector<double>>& times) {
-    double sum = 0.0;
-    for (const std::vector<double>& view : times)
-        if (!view.empty()) sum += quantile(view, 0.5);
-    return sum;
-}
-
 class Adviser {
 public:
     Adviser(const AdviseRequest& request, const Progress& progress)
@@ -71,7 +64,7 @@ private:
         entrant.judged.resize(m_race.poses());
         if (variantOfASlowOne(entrant))
             entrant.figures.standing = Standing::FarBehind;
-        else if (build(entrant))
+        else if (build(entrant) && !valueThatMayNotBeChosen(entrant))
             probe(entrant);
         // The next value of its parameters may need the same structure.
         m_lastBuilt = entrant.built ? entrant.built : m_lastBuilt;
@@ -85,6 +78,13 @@ private:
         if (first == m_entrants.end() || entrant.figures.everything) return false;
         if (first->figures.standing == Standing::Refused) return true;
         return first->figures.standing == Standing::FarBehind && sumOf(first->probes) > kFarOfVariants * bestProbes();
+    }
+
+    /// Another value of a parameter, with which the strategy promises nothing, where only what loses nothing will do: the default
+    /// was drawn, to say what such a strategy loses.
+    [[nodiscard]] bool valueThatMayNotBeChosen(const Entrant& entrant) const {
+        const auto sameId = [&](const Entrant& other) { return other.figures.strategy.id == entrant.figures.strategy.id; };
+        return !entrant.eligible && !entrant.figures.limit && std::ranges::any_of(m_entrants, sameId);
     }
 
     bool build(Entrant& entrant) {
@@ -286,10 +286,9 @@ private:
             choice = chosen();
         }
         for (Entrant& entrant : m_entrants) finish(entrant);
-        const Entrant& all = m_entrants.front();
         for (const Entrant& entrant : m_entrants)
             if (entrant.figures.limit && entrant.figures.ratioToAll) advice.limitRatio = entrant.figures.ratioToAll->ratio;
-        if (choice != nullptr) advice.headroomShare = headroomOf(*choice, all);
+        if (choice != nullptr) advice.headroomShare = headroomOf(*choice, m_entrants);
         fill(advice, choice);
     }
 
@@ -308,32 +307,8 @@ private:
         if (saved > 0.0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
     }
 
-    [[nodiscard]] std::optional<RatioEstimate> headroomOf(const Entrant& choice, const Entrant& all) const {
-        std::vector<TimesBesideLimit> views;
-        for (const Entrant& limit : m_entrants)
-            for (size_t pose = 0; limit.figures.limit && pose < m_race.poses(); ++pose)
-                if (!all.times[pose].empty() && !choice.times[pose].empty() && !limit.times[pose].empty()) {
-                    const double everything = quantile(all.times[pose], 0.5);
-                    views.push_back({everything, quantile(choice.times[pose], 0.5), everything, limit.times[pose].front()});
-                }
-        return shareOfHeadroom(views);
-    }
-
     void fill(Advice& advice, const Entrant* choice) const {
-        std::vector<const Entrant*> ranked;
-        for (const Entrant& entrant : m_entrants) ranked.push_back(&entrant);
-        const auto group = [&](const Entrant* entrant) {
-            if (entrant == choice) return 0;
-            if (entrant->figures.limit) return 4;
-            if (entrant->figures.views == 0) return 3;
-            return entrant->figures.standing == Standing::Loses ? 2 : 1;
-        };
-        std::ranges::stable_sort(ranked, [&](const Entrant* one, const Entrant* other) {
-            if (group(one) != group(other)) return group(one) < group(other);
-            return one->figures.ratioToAll.value_or(RatioEstimate{}).ratio >
-                   other->figures.ratioToAll.value_or(RatioEstimate{}).ratio;
-        });
-        for (const Entrant* entrant : ranked) advice.strategies.push_back(entrant->figures);
+        for (const Entrant* entrant : ranked(m_entrants, choice)) advice.strategies.push_back(entrant->figures);
         if (choice != nullptr) advice.best = 0;
         advice.request = m_request;
         advice.gl = m_race.gl();
@@ -350,29 +325,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<StrategyRequest> candidates() {
-    std::vector<StrategyRequest> requests;
-    const auto add = [&](StrategyRequest request) {
-        if (std::ranges::find(requests, request) == requests.end()) requests.push_back(std::move(request));
-    };
-    for (const StrategyInfo* baseline : baselines()) add({baseline->id, ParameterSet(baseline->parameters)});
-    add(baselineUnder(Facing::ByObject));
-    const auto needsFile = [](const StrategyInfo& info) {
-        return std::ranges::any_of(info.parameters, [](const auto& declared) { return declared.type == ParameterType::File; });
-    };
-    for (const RegisteredStrategy& strategy : strategies()) {
-        if (strategy.info.limit || needsFile(strategy.info)) continue;
-        add({strategy.info.id, ParameterSet(strategy.info.parameters)});
-        for (const DeclaredSweep& sweep : strategy.info.sweeps)
-            for (const std::string& value : sweep.values) {
-                StrategyRequest request{strategy.info.id, ParameterSet(strategy.info.parameters)};
-                request.parameters.setFromText(sweep.key, value);
-                add(std::move(request));
-            }
-    }
-    return requests;
-}
 
 Advice advise(const AdviseRequest& request, const Progress& progress) {
     if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));

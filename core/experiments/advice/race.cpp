@@ -87,4 +87,63 @@ RatioEstimate ratioBetween(const std::vector<std::vector<double>>& baseline, con
     return ratioOfTotals(views);
 }
 
+double sumOf(const std::vector<std::vector<double>>& times) {
+    double sum = 0.0;
+    for (const std::vector<double>& view : times)
+        if (!view.empty()) sum += quantile(view, 0.5);
+    return sum;
+}
+
+std::optional<RatioEstimate> headroomOf(const Entrant& choice, const std::vector<Entrant>& entrants) {
+    const Entrant& all = entrants.front();
+    std::vector<TimesBesideLimit> views;
+    for (const Entrant& limit : entrants)
+        for (size_t pose = 0; limit.figures.limit && pose < all.times.size(); ++pose)
+            if (!all.times[pose].empty() && !choice.times[pose].empty() && !limit.times[pose].empty()) {
+                const double everything = quantile(all.times[pose], 0.5);
+                views.push_back({everything, quantile(choice.times[pose], 0.5), everything, limit.times[pose].front()});
+            }
+    return shareOfHeadroom(views);
+}
+
+std::vector<const Entrant*> ranked(const std::vector<Entrant>& entrants, const Entrant* choice) {
+    std::vector<const Entrant*> order;
+    for (const Entrant& entrant : entrants) order.push_back(&entrant);
+    const auto group = [&](const Entrant* entrant) {
+        if (entrant == choice) return 0;
+        if (entrant->figures.limit) return 4;
+        if (entrant->figures.views == 0) return 3;
+        return entrant->figures.standing == Standing::Loses ? 2 : 1;
+    };
+    std::ranges::stable_sort(order, [&](const Entrant* one, const Entrant* other) {
+        if (group(one) != group(other)) return group(one) < group(other);
+        return one->figures.ratioToAll.value_or(RatioEstimate{}).ratio >
+               other->figures.ratioToAll.value_or(RatioEstimate{}).ratio;
+    });
+    return order;
+}
+
+std::vector<StrategyRequest> candidates() {
+    std::vector<StrategyRequest> requests;
+    const auto add = [&](StrategyRequest request) {
+        if (std::ranges::find(requests, request) == requests.end()) requests.push_back(std::move(request));
+    };
+    for (const StrategyInfo* baseline : baselines()) add({baseline->id, ParameterSet(baseline->parameters)});
+    add(baselineUnder(Facing::ByObject));
+    const auto needsFile = [](const StrategyInfo& info) {
+        return std::ranges::any_of(info.parameters, [](const auto& declared) { return declared.type == ParameterType::File; });
+    };
+    for (const RegisteredStrategy& strategy : strategies()) {
+        if (strategy.info.limit || needsFile(strategy.info)) continue;
+        add({strategy.info.id, ParameterSet(strategy.info.parameters)});
+        for (const DeclaredSweep& sweep : strategy.info.sweeps)
+            for (const std::string& value : sweep.values) {
+                StrategyRequest request{strategy.info.id, ParameterSet(strategy.info.parameters)};
+                request.parameters.setFromText(sweep.key, value);
+                add(std::move(request));
+            }
+    }
+    return requests;
+}
+
 }  // namespace cullscope::advice

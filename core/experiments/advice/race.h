@@ -70,6 +70,15 @@ private:
 /// The numbers below n in an order in which the first ones of any length lie evenly among all.
 [[nodiscard]] std::vector<size_t> spreadOrder(size_t n);
 
+/// The sum over the views of the medians, milliseconds.
+[[nodiscard]] double sumOf(const std::vector<std::vector<double>>& times);
+
+/// The share of what any culling could save of drawing everything, by the first entrant and the limit among them.
+[[nodiscard]] std::optional<RatioEstimate> headroomOf(const Entrant& choice, const std::vector<Entrant>& entrants);
+
+/// The chosen one (null: none), the others by speed, those that may not be chosen, those that were not drawn, the limit.
+[[nodiscard]] std::vector<const Entrant*> ranked(const std::vector<Entrant>& entrants, const Entrant* choice);
+
 /// Over the poses at which both have times: the other's total time over the entrant's.
 [[nodiscard]] RatioEstimate ratioBetween(const std::vector<std::vector<double>>& baseline,
                                          const std::vector<std::vector<double>>& subject);
