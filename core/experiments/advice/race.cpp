@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "core/base/error.h"
-#include "core/measure/render_frame.h"
+#include "core/measure/timed_rounds.h"
 
 namespace cullscope::advice {
 
@@ -28,15 +28,17 @@ Race::Race(const AdviseRequest& request, const Progress& progress)
 
 std::optional<double> Race::draw(Entrant& entrant, size_t pose, double seconds) {
     const Deadline deadline(seconds, m_progress.stop);
-    const ViewStatePointer memory = entrant.built->begin();
+    std::vector<ViewStatePointer> memory;
+    memory.push_back(entrant.built->begin());
     try {
         double milliseconds = 0.0;
         const size_t before = entrant.built->info().remembers && pose > 0 ? 1 : 0;
         for (size_t back = before + 1; back-- > 0;) {
-            FrameResult frame =
-                renderFrame(m_renderer, *m_buffers, *entrant.built, *memory, viewOf(pose - back), m_target, {}, deadline.token());
-            milliseconds = frame.frameMilliseconds;
+            TimedFrames frame{m_buffers.get(), entrant.built, viewOf(pose - back), std::move(memory)};
+            frame = timedOnce(m_renderer, std::move(frame), m_target, deadline.token());
+            milliseconds = frame.frameMilliseconds.front();
             m_log = std::move(frame.log);
+            memory = frame.takeMemories();
             ++m_frames;
         }
         return milliseconds;

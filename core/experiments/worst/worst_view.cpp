@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/measure/render_frame.h"
+#include "core/measure/timed_rounds.h"
 #include "core/scene/tour.h"
 
 namespace cullscope::worst {
@@ -145,16 +145,18 @@ private:
     void measure(TriedView& tried) {
         const View view(cameraOf(tried.pose), m_request.size);
         if (m_request.of == Of::Ratio) {
-            std::vector<double> own, baseline;
-            for (int turn = -1; turn < m_request.repetitions; ++turn)
-                for (const bool first : {turn % 2 == 0, turn % 2 != 0}) {
-                    const double time = draw(first ? *m_built : *m_baseline, view).frameMilliseconds;
-                    if (turn >= 0) (first ? own : baseline).push_back(time);
-                }
-            tried.value = quantile(baseline, 0.5) / quantile(own, 0.5);
+            std::vector<TimedFrames> both;
+            both.push_back(frameOf(m_built, view));
+            both.push_back(frameOf(m_baseline, view));
+            TimedRounds rounds(std::move(both), {.fixedRepetitions = m_request.repetitions});
+            while (!rounds.complete())
+                rounds.step(
+                    m_renderer, [this](const Viewport&, size_t) -> Framebuffer& { return m_target; }, m_progress.stop);
+            const std::vector<TimedFrames>& timed = rounds.entrants();
+            tried.value = quantile(timed[1].frameMilliseconds, 0.5) / quantile(timed[0].frameMilliseconds, 0.5);
             return;
         }
-        const FrameLog log = draw(*m_built, view).log;
+        const FrameLog log = timedOnce(m_renderer, frameOf(m_built, view), m_target, m_progress.stop).log;
         const Reference truth = itemBufferReference(m_renderer, m_buffers, view, m_built->referenceFacing());
         const JudgedFrame judged = judge(m_renderer, m_buffers, log, truth, m_target);
         tried.lostPixels = judged.lostPixels();
@@ -162,10 +164,11 @@ private:
         tried.value = tried.coveredPixels == 0 ? 0.0 : double(tried.lostPixels) / double(tried.coveredPixels);
     }
 
-    FrameResult draw(const BuiltStrategy& strategy, const View& view) {
-        // Without a past: the worst view must be found again by itself.
-        const ViewStatePointer memory = strategy.begin();
-        return renderFrame(m_renderer, m_buffers, strategy, *memory, view, m_target, {}, m_progress.stop);
+    /// Without a past: the worst view must be found again by itself.
+    [[nodiscard]] TimedFrames frameOf(const BuiltStrategyPointer& strategy, const View& view) const {
+        TimedFrames frame{&m_buffers, strategy, view, {}};
+        frame.memories.push_back(strategy->begin());
+        return frame;
     }
 
     const WorstRequest& m_request;
