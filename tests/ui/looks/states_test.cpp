@@ -216,7 +216,7 @@ TEST(States, helpMenusAndDialogsCutNoTextInAnyLanguage) {
         ASSERT_TRUE(plane && cases);
         for (QWidget* dialog : std::initializer_list<QWidget*>{plane, cases}) {
             EXPECT_EQ(cutTexts(*dialog), QStringList()) << dialog->metaObject()->className();
-            keepToLookAt(*dialog, QLatin1String(dialog->metaObject()->className()).mid(13) + QLatin1Char('-') + language);
+            keepToLookAt(*dialog, QLatin1String(dialog->metaObject()->className()).mid(15) + QLatin1Char('-') + language);
         }
         keepToLookAt(desktop.window, QStringLiteral("clipped-") + language);
         plane->close();
