@@ -159,9 +159,10 @@ TEST_F(Handout, hasEveryStepWithPictureSentenceAndFigures) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
     const QTemporaryDir folder;
     LessonPlayer& player = window.lessons().player();
-    player.begin(lessonFromText("title en A lesson\nstep\nsay en One & only.\nnote en Ask first.\nscene torus:triangles=2000\n"
-                                "A.strategy frustum\nstep\nsay en Two.\nview_count 4\nstep\nsay en Three.\n",
-                                "/nowhere/a.lesson"),
+    player.begin(lessonFromText(
+                     "title en A lesson\nstep\nsay en One & only.\nnote en Ask first.\nscene torus:triangles=2000\n"
+                     "A.strategy frustum\nB.role observer\nB.observed A\nstep\nsay en Two.\nview_count 4\nstep\nsay en Three.\n",
+                     "/nowhere/a.lesson"),
                  1);
     LessonHandout& handout = window.lessons().handout();
     QSignalSpy done(&handout, &LessonHandout::done), failed(&handout, &LessonHandout::failed);
@@ -181,6 +182,8 @@ TEST_F(Handout, hasEveryStepWithPictureSentenceAndFigures) {
     size_t pictures = 0;
     for (size_t at = text.find("data:image/png"); at != std::string::npos; at = text.find("data:image/png", at + 1)) ++pictures;
     EXPECT_EQ(pictures, 3u);
+    // What watches another view has no figures of its own to tell.
+    EXPECT_EQ(text.find("watches"), std::string::npos);
     QFile printed(pdf);
     ASSERT_TRUE(printed.open(QIODevice::ReadOnly));
     EXPECT_TRUE(printed.readAll().startsWith("%PDF"));

@@ -33,8 +33,8 @@ CurvePanel::CurvePanel(Session& session, SnapshotReader& reader, Show show, QWid
     choices->setContentsMargins(8, 4, 8, 0);
     choices->addWidget(m_name);
     choices->addWidget(m_part);
-    choices->addWidget(m_words);
-    choices->addStretch(1);
+    // All of the rest: a label asks for the width of the letters that it had, and a lecture gives it others.
+    choices->addWidget(m_words, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -166,7 +166,9 @@ void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColou
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(area);
     const auto degrees = [](int value) { return QStringLiteral("%1°").arg(value); };
-    constexpr double kTick = 3.0;
+    constexpr double kTick = 3.0, kGap = 5.0;
+    // In a lecture the letters are large: a number needs its own width.
+    const double wide = std::ceil(metrics.horizontalAdvance(degrees(360))) + 2.0;
     // In large letters beside a small map there is room for the ends alone.
     int across = 90, down = 90;
     while (across < 360 && area.width() * across / 360.0 < 1.2 * metrics.horizontalAdvance(degrees(360))) across *= 2;
@@ -177,7 +179,7 @@ void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColou
         painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kTick));
         if (phi % across != 0) continue;
         painter.setPen(colours.text);
-        painter.drawText(QRectF(x - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignHCenter | Qt::AlignTop,
+        painter.drawText(QRectF(x - wide / 2, area.bottom() + kTick, wide, metrics.height()), Qt::AlignHCenter | Qt::AlignTop,
                          degrees(phi));
     }
     for (int theta = 0; theta <= 180; theta += 45) {
@@ -186,14 +188,14 @@ void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColou
         painter.drawLine(QPointF(area.left() - kTick, y), QPointF(area.left(), y));
         if (theta % down != 0) continue;
         painter.setPen(colours.text);
-        painter.drawText(QRectF(area.left() - 66.0, y - metrics.height() / 2, 61.0, metrics.height()),
+        painter.drawText(QRectF(area.left() - kGap - wide, y - metrics.height() / 2, wide, metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter, degrees(theta));
     }
     if (across > 90 || down > 90) return;
     const double step = area.width() / 8, quarter = area.height() / 4;
-    painter.drawText(QRectF(area.left() + 5 * step - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignCenter,
+    painter.drawText(QRectF(area.left() + 5 * step - wide / 2, area.bottom() + kTick, wide, metrics.height()), Qt::AlignCenter,
                      QStringLiteral("φ"));
-    painter.drawText(QRectF(area.left() - 66.0, area.top() + 3 * quarter - metrics.height() / 2, 61.0, metrics.height()),
+    painter.drawText(QRectF(area.left() - kGap - wide, area.top() + 3 * quarter - metrics.height() / 2, wide, metrics.height()),
                      Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("θ"));
 }
 

@@ -93,7 +93,8 @@ QString ViewPane::chipText() const {
                       : tr("coarse while it moves: %1 of %2 triangles, by object"))
                      .arg(countText(shown->request.coarse->objects->triangleCount()),
                           countText(shown->request.buffers->scene().triangleCount()));
-    if (m_picture->showsNothing()) parts << tr("nothing in view: Home");
+    // At a step it may be that nothing is drawn yet.
+    if (m_picture->showsNothing() && !m_session.stepOf(m_view)) parts << tr("nothing in view: Home");
     parts << lensParts();
     if (m_picture->pace() != kUsualPace)
         parts << tr("flying speed × %1 ([ and ])").arg(QLocale().toString(m_picture->pace(), 'g', 3));

@@ -22,13 +22,13 @@ namespace {
 // Lengths for a screen of 1280 × 720; larger screens scale them.
 constexpr QSize kDesign{1280, 720};
 constexpr int kTitle = 44;
-constexpr int kSentence = 66;
+constexpr int kSentence = 66;            // of two lines, at most
 constexpr int kStructureWidth = 480;     // beside several views
-constexpr double kMostOfPicture = 0.5;   // of the width: one picture beside the structure, which is read, too
+constexpr double kMostOfPicture = 0.46;  // of the width: one picture beside the structure, which is read, too
 constexpr double kLeastOfPicture = 0.4;  // the same where little height is left
 constexpr double kShapeOfPicture = 4.0 / 3;
 constexpr double kMapShare = 0.5;          // of the structure's height: the map, with the view that watches beside it
-constexpr double kMapShareByCurve = 0.44;  // the same where a curve stands below, which needs room, too
+constexpr double kMapShareByCurve = 0.38;  // the same where a curve stands below, which needs room, too
 constexpr double kWatchingWidth = 0.42;    // of the structure's width, at most: that view beside a map
 constexpr int kFoot = 56;
 constexpr int kButton = 40;
@@ -67,7 +67,8 @@ void LectureWindow::arrange() {
     const int place = m_place->sizeHint().width();
     m_title->setGeometry(margin, 0, across - place - margin, title);
     m_place->setGeometry(margin + across - place, 0, place, title);
-    m_sentence->setGeometry(margin, title, across, scaled(kSentence));
+    const int sentence = std::min(scaled(kSentence), m_sentence->heightForWidth(across) + scaled(kPaneGap));
+    m_sentence->setGeometry(margin, title, across, sentence);
     m_foot->setGeometry(0, height() - foot, width(), foot);
     m_foot->layout()->activate();
     int bottom = height() - foot;
@@ -84,7 +85,7 @@ void LectureWindow::arrange() {
         m_stepSentence->setGeometry(margin, bottom - high, across, high);
         bottom -= high;
     }
-    const int top = title + scaled(kSentence);
+    const int top = title + sentence;
     arrangePanes(QRect(0, top, width(), std::max(1, bottom - top)));
 }
 

@@ -14,8 +14,10 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kHandoutLookInterval = 50;   // ms between two checks
-constexpr int kHandoutPictureWidth = 600;  // pixels at 96 in an inch, within the margins of A4
+constexpr int kHandoutLookInterval = 50;  // ms between two checks
+// Pixels at 96 in an inch: within the margins of A4, where two steps stand on a page with their sentences and figures.
+constexpr int kHandoutPictureWidth = 600;
+constexpr int kHandoutPictureHeight = 300;
 constexpr const char* kStepImageName = "step-%1.png";
 
 QByteArray pngOf(const QImage& image) {
@@ -81,6 +83,8 @@ LessonHandout::Page LessonHandout::page() const {
               {},
               m_views.grab().toImage()};
     for (const int view : m_session.shownViews()) {
+        // A view that watches another one has no figures of its own.
+        if (m_session.culledBy(view) != view) continue;
         const ViewHeader& header = m_views.pane(view).header();
         page.figures << QStringLiteral("%1: %2 · %3").arg(viewLetter(view), header.firstLine(), header.secondLine());
     }
@@ -123,8 +127,13 @@ QString LessonHandout::html(bool embedded) const {
         const QString name = embedded
                                  ? QStringLiteral("data:image/png;base64,") + QString::fromLatin1(pngOf(page.picture).toBase64())
                                  : QString::fromLatin1(kStepImageName).arg(i + 1);
-        const QString size = embedded ? QString() : QStringLiteral(" width=\"%1\"").arg(kHandoutPictureWidth);
-        text += QStringLiteral("<h3>%1. %2</h3>\n").arg(QString::number(i + 1), page.sentence.toHtmlEscaped());
+        const QSize fitting = page.picture.size().scaled(kHandoutPictureWidth, kHandoutPictureHeight, Qt::KeepAspectRatio);
+        const QString size = embedded ? QString() : QStringLiteral(" width=\"%1\"").arg(fitting.width());
+        // On paper a sentence and its picture are not parted.
+        const bool newPage = !embedded && i > 0 && i % 2 == 0;
+        text += QStringLiteral("<h3%3>%1. %2</h3>\n")
+                    .arg(QString::number(i + 1), page.sentence.toHtmlEscaped(),
+                         newPage ? QStringLiteral(" style=\"page-break-before: always\"") : QString());
         text += QStringLiteral("<p><img src=\"%1\"%2 alt=\"\"></p>\n<p>").arg(name, size);
         for (const QString& line : page.figures) text += line.toHtmlEscaped() + QStringLiteral("<br>\n");
         text += QStringLiteral("</p>\n");

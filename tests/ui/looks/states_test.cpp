@@ -15,6 +15,8 @@
 #include "tests/ui/looks/shown_texts.h"
 #include "ui/dialogs/generate_dialog.h"
 #include "ui/dialogs/help_window.h"
+#include "ui/dialogs/section_dialog.h"
+#include "ui/dialogs/stability_dialog.h"
 #include "ui/panels/path_bar.h"
 
 namespace cullscope::ui::states_test {
@@ -206,6 +208,19 @@ TEST(States, helpMenusAndDialogsCutNoTextInAnyLanguage) {
             keepToLookAt(*part, QStringLiteral("menu-%1-%2").arg(menu.findChildren<QMenu*>().indexOf(part)).arg(language));
         }
         keepToLookAt(*desktop.window.actions().builtInPaths, QStringLiteral("paths-") + language);
+        desktop.window.actions().clippingPlane->trigger();
+        desktop.window.actions().stability->trigger();
+        desktop.settle();
+        auto* plane = desktop.window.findChild<SectionDialog*>();
+        auto* cases = desktop.window.findChild<StabilityDialog*>();
+        ASSERT_TRUE(plane && cases);
+        for (QWidget* dialog : std::initializer_list<QWidget*>{plane, cases}) {
+            EXPECT_EQ(cutTexts(*dialog), QStringList()) << dialog->metaObject()->className();
+            keepToLookAt(*dialog, QLatin1String(dialog->metaObject()->className()).mid(15) + QLatin1Char('-') + language);
+        }
+        keepToLookAt(desktop.window, QStringLiteral("clipped-") + language);
+        plane->close();
+        cases->close();
         // A closed view in wireframe, with its chip.
         desktop.window.actions().show("wireframe")->trigger();
         desktop.settle();
