@@ -54,7 +54,7 @@ void addAdviseCommand(CLI::App& app, Context& context) {
         ->check(numberBetween(0.0, 1.0));
     command
         ->add_option("--build-limit", options->buildLimit,
-                     "seconds after which building a structure ends (default: 300 frames that draw everything, at least 3)")
+                     "seconds after which building a structure ends (default: 100 frames of the fastest so far, at least 2)")
         ->check(positiveNumber());
     command->add_option("--json", options->json, "result file; - is standard output");
     command->add_option("--svg", options->svg, "the plot of speed against losses; - is standard output");

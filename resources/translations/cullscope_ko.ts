@@ -6325,6 +6325,334 @@
         <source>lost pixels: %1</source>
         <translation>잃은 픽셀: %1</translation>
     </message>
+    <message>
+        <source>It lost nothing in %1 views (&lt; 3/%1).</source>
+        <translation>시점 %1개에서 아무것도 잃지 않았습니다(&lt; 3/%1).</translation>
+    </message>
+    <message>
+        <source>It loses %1 of a million pixels, in %2 of %3 views.</source>
+        <translation>백만 픽셀 중 %1개를, 시점 %3개 중 %2개에서 잃습니다.</translation>
+    </message>
+    <message>
+        <source>It builds no structure.</source>
+        <translation>자료구조를 만들지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Its structure takes %1 bytes and %2 ms to build, which no frame pays back.</source>
+        <translation>자료구조는 %1바이트이고 구축에 %2 ms가 걸리며, 어떤 프레임도 이를 되갚지 못합니다.</translation>
+    </message>
+    <message>
+        <source>Its structure takes %1 bytes and %2 ms to build, paid back after %3 frames.</source>
+        <translation>자료구조는 %1바이트이고 구축에 %2 ms가 걸리며, 프레임 %3개 뒤에 되갚아집니다.</translation>
+    </message>
+    <message>
+        <source>No culling could gain here for certain: drawing exactly what is visible is ×%1.</source>
+        <translation>여기서는 어떤 컬링도 확실한 이득이 없습니다. 보이는 것만 그려도 ×%1입니다.</translation>
+    </message>
+    <message>
+        <source>That is more than drawing exactly what is visible gains by OpenGL, which is ×%1.</source>
+        <translation>이는 OpenGL로 보이는 것만 그릴 때의 이득인 ×%1보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>Any culling could gain ×%1 at most; this is %2 % of the time that could be saved.</source>
+        <translation>컬링으로 얻을 수 있는 최대 이득은 ×%1이며, 이 전략은 절약할 수 있는 시간의 %2 %를 얻습니다.</translation>
+    </message>
+    <message>
+        <source>Drawing everything is best here: nothing that may be used is faster.</source>
+        <translation>여기서는 모두 그리는 것이 가장 좋습니다. 쓸 수 있는 것 중 더 빠른 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Drawing everything is best here, by %1: ×%2 the speed of drawing both sides.</source>
+        <translation>여기서는 모두 그리는 것이 가장 좋습니다(%1). 양면을 그릴 때의 ×%2 속도입니다.</translation>
+    </message>
+    <message>
+        <source>%1 is best here: ×%2 the speed of drawing everything.</source>
+        <translation>여기서는 %1 전략이 가장 좋습니다. 모두 그릴 때의 ×%2 속도입니다.</translation>
+    </message>
+    <message>
+        <source>the limit of culling</source>
+        <translation>컬링의 한계</translation>
+    </message>
+    <message>
+        <source>in the race to the end</source>
+        <translation>끝까지 경주에 남음</translation>
+    </message>
+    <message>
+        <source>slower: its interval excludes the best</source>
+        <translation>더 느림: 구간이 최선을 제외함</translation>
+    </message>
+    <message>
+        <source>far slower at the first views</source>
+        <translation>처음 시점들에서 훨씬 느림</translation>
+    </message>
+    <message>
+        <source>promises nothing in these views</source>
+        <translation>이 시점들에서 아무것도 보장하지 않음</translation>
+    </message>
+    <message>
+        <source>loses more than is allowed</source>
+        <translation>허용된 것보다 많이 잃음</translation>
+    </message>
+    <message>
+        <source>Nothing was measured that could be advised.</source>
+        <translation>조언할 만큼 측정된 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>trying strategies</source>
+        <translation>전략을 시험하는 중</translation>
+    </message>
+    <message>
+        <source>building its structure takes longer than %1 s</source>
+        <translation>자료구조 구축이 %1초보다 오래 걸림</translation>
+    </message>
+    <message>
+        <source>racing</source>
+        <translation>경주하는 중</translation>
+    </message>
+    <message>
+        <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurement %1 has no run of %2. It has: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B has %1 times the speed of A; of single frames there is no interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B is faster: %1 times the speed of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B is slower: %1 times the speed of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no difference that this measurement tells: B has %1 times the speed of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no result store, or is damaged: name another file with --store.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program has been writing to it for half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What was stored before is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result store %1 cannot be opened: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed against a baseline that draws the same sides</source>
+        <translation>같은 면을 그리는 기준선 대비 속도</translation>
+    </message>
+    <message>
+        <source>Speed against drawing everything</source>
+        <translation>모두 그리기 대비 속도</translation>
+    </message>
+    <message>
+        <source>Speed against drawing all front faces</source>
+        <translation>모든 앞면 그리기 대비 속도</translation>
+    </message>
+    <message>
+        <source>fps in the slowest view</source>
+        <translation>가장 느린 시점의 fps</translation>
+    </message>
+    <message>
+        <source>Share of the headroom, %</source>
+        <translation>여유 중 비율, %</translation>
+    </message>
+    <message>
+        <source>Culled triangles, %</source>
+        <translation>제외된 삼각형, %</translation>
+    </message>
+    <message>
+        <source>Culling, % of the frame</source>
+        <translation>컬링, 프레임의 %</translation>
+    </message>
+    <message>
+        <source>Build time, ms</source>
+        <translation>구축 시간, ms</translation>
+    </message>
+    <message>
+        <source>Structure, bytes</source>
+        <translation>자료구조, 바이트</translation>
+    </message>
+    <message>
+        <source>Missed per million</source>
+        <translation>백만분의 놓침</translation>
+    </message>
+    <message>
+        <source>Largest hole, pixels</source>
+        <translation>가장 큰 구멍, 픽셀</translation>
+    </message>
+    <message>
+        <source>shape: exact set</source>
+        <translation>모양: 정확</translation>
+    </message>
+    <message>
+        <source>shape: lossless</source>
+        <translation>모양: 무손실</translation>
+    </message>
+    <message>
+        <source>shape: lossy</source>
+        <translation>모양: 손실</translation>
+    </message>
+    <message>
+        <source>There is no figure &quot;%1&quot;; there are %2.</source>
+        <translation>&quot;%1&quot; 지표는 없습니다. 있는 것은 %2입니다.</translation>
+    </message>
+    <message>
+        <source>0 (&lt; 3/%1)</source>
+        <translation>0 (&lt; 3/%1)</translation>
+    </message>
+    <message>
+        <source>front: nothing lost</source>
+        <translation>전선: 잃은 것 없음</translation>
+    </message>
+    <message>
+        <source>front: something lost</source>
+        <translation>전선: 잃은 것 있음</translation>
+    </message>
+    <message>
+        <source>trying views</source>
+        <translation>시점을 시험하는 중</translation>
+    </message>
+    <message>
+        <source>azimuth of the eye, degrees</source>
+        <translation>눈의 방위각, 도</translation>
+    </message>
+    <message>
+        <source>elevation of the eye, degrees</source>
+        <translation>눈의 고도각, 도</translation>
+    </message>
+    <message>
+        <source>the worst view</source>
+        <translation>최악의 시점</translation>
+    </message>
+    <message>
+        <source>plan of the places: x</source>
+        <translation>위치 평면도: x</translation>
+    </message>
+    <message>
+        <source>No view was tried.</source>
+        <translation>시험한 시점이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 gains least where it has ×%2 the speed of drawing the same sides; %3 views were tried.</source>
+        <translation>%1: 이득이 가장 작은 곳은 같은 면을 그릴 때의 ×%2 속도입니다. 시점 %3개를 시험했습니다.</translation>
+    </message>
+    <message>
+        <source>%1 lost nothing in %2 views (&lt; 3/%2).</source>
+        <translation>%1: 시점 %2개에서 아무것도 잃지 않았습니다(&lt; 3/%2).</translation>
+    </message>
+    <message>
+        <source>%1 loses most where it loses %2 of %3 covered pixels; it loses something in %4 of %5 views.</source>
+        <translation>%1: 가장 많이 잃는 곳에서 덮인 픽셀 %3개 중 %2개를 잃습니다. 시점 %5개 중 %4개에서 무언가를 잃습니다.</translation>
+    </message>
+    <message>
+        <source>Missed of a million covered pixels: %1</source>
+        <translation>덮인 백만 픽셀 중 놓침: %1</translation>
+    </message>
+    <message>
+        <source>Speed against drawing the same sides: %1</source>
+        <translation>같은 면 그리기 대비 속도: %1</translation>
+    </message>
+    <message>
+        <source>false negatives, triangles, %</source>
+        <translation>거짓 음성, 삼각형, %</translation>
+    </message>
+    <message>
+        <source>false positives, triangles, %</source>
+        <translation>거짓 양성, 삼각형, %</translation>
+    </message>
+    <message>
+        <source>false negatives, objects, %</source>
+        <translation>거짓 음성, 물체, %</translation>
+    </message>
+    <message>
+        <source>false positives, objects, %</source>
+        <translation>거짓 양성, 물체, %</translation>
+    </message>
+    <message>
+        <source>missed of the covered pixels, ppm</source>
+        <translation>덮인 픽셀 중 놓침, ppm</translation>
+    </message>
+    <message>
+        <source>pixel errors, ppm</source>
+        <translation>픽셀 오류, ppm</translation>
+    </message>
+    <message>
+        <source>popping, events per 1,000 frames</source>
+        <translation>튐, 프레임 1,000개당 사건</translation>
+    </message>
+    <message>
+        <source>popping, pixels</source>
+        <translation>튐, 픽셀</translation>
+    </message>
+    <message>
+        <source>popping, duration in frames</source>
+        <translation>튐, 지속 프레임</translation>
+    </message>
+    <message>
+        <source>popping, pixels that change, ppm</source>
+        <translation>튐, 바뀌는 픽셀, ppm</translation>
+    </message>
+    <message>
+        <source>image difference, mean, ppm</source>
+        <translation>그림 차이, 평균, ppm</translation>
+    </message>
+    <message>
+        <source>silhouette error, pixels</source>
+        <translation>윤곽 오차, 픽셀</translation>
+    </message>
+    <message>
+        <source>image difference, p99, %</source>
+        <translation>그림 차이, p99, %</translation>
+    </message>
+    <message>
+        <source>pixel errors of the worst view, ppm</source>
+        <translation>최악 시점의 픽셀 오류, ppm</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6356,6 +6684,133 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>그 밖에 OpenMesh, libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::AdviseDialog</name>
+    <message>
+        <source>&amp;Advise</source>
+        <translation>조언(&amp;A)</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>취소(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Show it in the active view</source>
+        <translation>활성 보기에 표시(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>내보내기(&amp;E)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>닫기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Advice: which strategy suits this scene</source>
+        <translation>조언: 이 장면에 알맞은 전략</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>카메라 경로</translation>
+    </message>
+    <message>
+        <source>A built-in camera path, or a file</source>
+        <translation>내장 카메라 경로 또는 파일</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>그림의 크기</translation>
+    </message>
+    <message>
+        <source>nothing may be missed</source>
+        <translation>아무것도 놓치면 안 됨</translation>
+    </message>
+    <message>
+        <source>may miss: </source>
+        <translation>놓쳐도 됨: </translation>
+    </message>
+    <message>
+        <source> per million</source>
+        <translation> / 백만</translation>
+    </message>
+    <message>
+        <source>How many of a million covered pixels may be missed</source>
+        <translation>덮인 백만 픽셀 중 놓쳐도 되는 개수</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>Promise</source>
+        <translation>보장</translation>
+    </message>
+    <message>
+        <source>× drawing everything</source>
+        <translation>× 모두 그리기</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Missed per million</source>
+        <translation>백만분의 놓침</translation>
+    </message>
+    <message>
+        <source>Build time</source>
+        <translation>구축 시간</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>자료구조</translation>
+    </message>
+    <message>
+        <source>Paid back after, frames</source>
+        <translation>되갚는 프레임 수</translation>
+    </message>
+    <message>
+        <source>How it came out</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Strategies by their speed</source>
+        <translation>속도 순 전략</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>진행</translation>
+    </message>
+    <message>
+        <source>Advice as JSON…</source>
+        <translation>조언을 JSON으로…</translation>
+    </message>
+    <message>
+        <source>Points as CSV…</source>
+        <translation>점을 CSV로…</translation>
+    </message>
+    <message>
+        <source>Plot as SVG…</source>
+        <translation>그래프를 SVG로…</translation>
+    </message>
+    <message>
+        <source>Plot as PDF…</source>
+        <translation>그래프를 PDF로…</translation>
+    </message>
+    <message>
+        <source>Strategies are being tried on this scene; those that cannot win leave the race early…</source>
+        <translation>이 장면에서 전략을 시험하는 중입니다. 이길 수 없는 것은 일찍 경주에서 빠집니다…</translation>
+    </message>
+    <message>
+        <source>Each strategy that can serve this scene is measured over a camera path, and what cannot win is left out early. The answer says which one suits, what it would lose, and what its structure costs.</source>
+        <translation>이 장면에 쓸 수 있는 각 전략을 카메라 경로를 따라 측정하며, 이길 수 없는 것은 일찍 제외합니다. 어느 것이 알맞은지, 무엇을 잃는지, 자료구조의 비용이 얼마인지 답합니다.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
     </message>
 </context>
 <context>
@@ -7685,25 +8140,26 @@ OpenGL %2
         <translation>놓친 픽셀을 측정하지 않아 보여 줄 손실이 없습니다.</translation>
     </message>
     <message>
-        <source>0 (&lt; 3/%1)</source>
-        <extracomment>Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.</extracomment>
-        <translation>0 (&lt; 3/%1)</translation>
+        <source>%1 by %2</source>
+        <extracomment>Two figures, as the axes of a plot.</extracomment>
+        <translation>%1, %2별</translation>
     </message>
     <message>
-        <source>shape: %1</source>
-        <translation>모양: %1</translation>
+        <source>No strategy has both of these figures.</source>
+        <translation>이 두 지표를 모두 가진 전략이 없습니다.</translation>
     </message>
     <message>
-        <source>Missed per million</source>
-        <translation>백만분의 놓침</translation>
+        <source>%1: %2</source>
+        <comment>a figure and its value</comment>
+        <translation>%1: %2</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3, %4 per million missed</source>
-        <translation>%1, %2: ×%3, 백만 개당 놓침 %4</translation>
+        <source>%1. Enter shows this strategy in the active view.</source>
+        <translation>%1. Enter를 누르면 활성 보기에 이 전략을 표시합니다.</translation>
     </message>
     <message>
-        <source>Speed against a baseline that draws the same sides</source>
-        <translation>같은 면을 그리는 기준선 대비 속도</translation>
+        <source>A click shows it in the active view.</source>
+        <translation>클릭하면 활성 보기에 표시합니다.</translation>
     </message>
 </context>
 <context>
@@ -8935,6 +9391,52 @@ sides [95 %]</source>
         <source>Each experiment that ends appears here beside the others, also at later starts.</source>
         <translation>끝난 실험은 다른 실험과 나란히 여기에 나타나며, 다시 시작해도 남아 있습니다.</translation>
     </message>
+    <message>
+        <source>Race</source>
+        <translation>경주</translation>
+    </message>
+    <message>
+        <source>Each strategy against each</source>
+        <translation>전략끼리의 비교</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as fast as %3.</source>
+        <comment>a strategy, a ratio, another strategy</comment>
+        <translation>%1: %3의 %2배 속도입니다.</translation>
+    </message>
+    <message>
+        <source>It takes %1 ms less a view (95 %: %2 to %3).</source>
+        <translation>시점당 %1 ms 덜 걸립니다(95 %: %2 ~ %3).</translation>
+    </message>
+    <message>
+        <source>It takes %1 ms less a view.</source>
+        <translation>시점당 %1 ms 덜 걸립니다.</translation>
+    </message>
+    <message>
+        <source>It misses %1 of a million pixels more.</source>
+        <translation>백만 픽셀 중 %1개를 더 놓칩니다.</translation>
+    </message>
+    <message>
+        <source>The interval holds 1: which one is faster is not decided.</source>
+        <translation>구간에 1이 들어 있어 어느 쪽이 빠른지 정해지지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Figure across</source>
+        <translation>가로 지표</translation>
+    </message>
+    <message>
+        <source>Figure upwards</source>
+        <translation>세로 지표</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <extracomment>An axis of a plot and its figure.</extracomment>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>↑ %1</source>
+        <translation>↑ %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::StepBar</name>
@@ -10063,6 +10565,101 @@ sides [95 %]</source>
     <message>
         <source>Draw a figure of a paper anew, and save it as a picture or as its numbers</source>
         <translation>논문의 그림을 새로 그려 그림이나 수치로 저장합니다</translation>
+    </message>
+    <message>
+        <source>Adv&amp;ise…</source>
+        <translation>조언(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Measure which strategy suits this scene, what it would lose, and what it costs</source>
+        <translation>이 장면에 알맞은 전략과 그 손실, 비용을 측정합니다</translation>
+    </message>
+    <message>
+        <source>W&amp;orst view…</source>
+        <translation>최악의 시점(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Search for the view in which the active view&apos;s strategy loses most or gains least</source>
+        <translation>활성 보기의 전략이 가장 많이 잃거나 가장 적게 얻는 시점을 찾습니다</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::WorstDialog</name>
+    <message>
+        <source>&amp;Search</source>
+        <translation>찾기(&amp;S)</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>취소(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the worst view</source>
+        <translation>최악의 시점으로 가기(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the map…</source>
+        <translation>지도 저장(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>닫기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The worst view of a strategy</source>
+        <translation>전략의 최악의 시점</translation>
+    </message>
+    <message>
+        <source>that loses most</source>
+        <translation>가장 많이 잃는 시점</translation>
+    </message>
+    <message>
+        <source>that gains least</source>
+        <translation>가장 적게 얻는 시점</translation>
+    </message>
+    <message>
+        <source>What is sought</source>
+        <translation>찾는 것</translation>
+    </message>
+    <message>
+        <source>from around the scene</source>
+        <translation>장면 둘레에서</translation>
+    </message>
+    <message>
+        <source>from places within the scene</source>
+        <translation>장면 안의 위치에서</translation>
+    </message>
+    <message>
+        <source>Where the eye is</source>
+        <translation>눈의 위치</translation>
+    </message>
+    <message>
+        <source>views: </source>
+        <translation>시점: </translation>
+    </message>
+    <message>
+        <source>How many views are tried at most</source>
+        <translation>시험할 시점의 최대 개수</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>진행</translation>
+    </message>
+    <message>
+        <source>Views are being tried, the worst parts of the map again and again in smaller parts…</source>
+        <translation>시점을 시험하는 중입니다. 지도의 최악인 부분을 더 작게 나누어 거듭 시험합니다…</translation>
+    </message>
+    <message>
+        <source>The active view&apos;s strategy is drawn in many views, and the worst ones are searched more closely. A click on the map flies there.</source>
+        <translation>활성 보기의 전략을 많은 시점에서 그리고, 최악인 곳을 더 자세히 찾습니다. 지도를 클릭하면 그곳으로 갑니다.</translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>지도 저장</translation>
+    </message>
+    <message>
+        <source>Pictures (*.svg *.pdf *.png)</source>
+        <translation>그림 (*.svg *.pdf *.png)</translation>
     </message>
 </context>
 </TS>

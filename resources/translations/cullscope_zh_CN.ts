@@ -6325,6 +6325,334 @@
         <source>lost pixels: %1</source>
         <translation>丢失的像素：%1</translation>
     </message>
+    <message>
+        <source>It lost nothing in %1 views (&lt; 3/%1).</source>
+        <translation>在 %1 个视图中没有丢失任何东西（&lt; 3/%1）。</translation>
+    </message>
+    <message>
+        <source>It loses %1 of a million pixels, in %2 of %3 views.</source>
+        <translation>每百万像素丢失 %1 个，出现在 %3 个视图中的 %2 个。</translation>
+    </message>
+    <message>
+        <source>It builds no structure.</source>
+        <translation>它不构建任何结构。</translation>
+    </message>
+    <message>
+        <source>Its structure takes %1 bytes and %2 ms to build, which no frame pays back.</source>
+        <translation>其结构占 %1 字节，构建需 %2 ms，任何帧都无法收回。</translation>
+    </message>
+    <message>
+        <source>Its structure takes %1 bytes and %2 ms to build, paid back after %3 frames.</source>
+        <translation>其结构占 %1 字节，构建需 %2 ms，%3 帧之后收回。</translation>
+    </message>
+    <message>
+        <source>No culling could gain here for certain: drawing exactly what is visible is ×%1.</source>
+        <translation>这里任何剔除都不一定有收益：只绘制可见部分也只是 ×%1。</translation>
+    </message>
+    <message>
+        <source>That is more than drawing exactly what is visible gains by OpenGL, which is ×%1.</source>
+        <translation>这超过了用 OpenGL 只绘制可见部分的收益 ×%1。</translation>
+    </message>
+    <message>
+        <source>Any culling could gain ×%1 at most; this is %2 % of the time that could be saved.</source>
+        <translation>任何剔除最多可达 ×%1；这里节省了可节省时间的 %2 %。</translation>
+    </message>
+    <message>
+        <source>Drawing everything is best here: nothing that may be used is faster.</source>
+        <translation>这里绘制全部最好：可用的策略没有更快的。</translation>
+    </message>
+    <message>
+        <source>Drawing everything is best here, by %1: ×%2 the speed of drawing both sides.</source>
+        <translation>这里绘制全部最好（%1）：速度是绘制双面的 ×%2。</translation>
+    </message>
+    <message>
+        <source>%1 is best here: ×%2 the speed of drawing everything.</source>
+        <translation>这里 %1 最好：速度是绘制全部的 ×%2。</translation>
+    </message>
+    <message>
+        <source>the limit of culling</source>
+        <translation>剔除的极限</translation>
+    </message>
+    <message>
+        <source>in the race to the end</source>
+        <translation>坚持到比赛结束</translation>
+    </message>
+    <message>
+        <source>slower: its interval excludes the best</source>
+        <translation>较慢：其区间不含最佳</translation>
+    </message>
+    <message>
+        <source>far slower at the first views</source>
+        <translation>在最初的视图中慢得多</translation>
+    </message>
+    <message>
+        <source>promises nothing in these views</source>
+        <translation>在这些视图中不作任何保证</translation>
+    </message>
+    <message>
+        <source>loses more than is allowed</source>
+        <translation>丢失超过允许值</translation>
+    </message>
+    <message>
+        <source>Nothing was measured that could be advised.</source>
+        <translation>没有测得可供建议的结果。</translation>
+    </message>
+    <message>
+        <source>trying strategies</source>
+        <translation>正在尝试各策略</translation>
+    </message>
+    <message>
+        <source>building its structure takes longer than %1 s</source>
+        <translation>构建其结构超过 %1 秒</translation>
+    </message>
+    <message>
+        <source>racing</source>
+        <translation>正在比赛</translation>
+    </message>
+    <message>
+        <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>camera paths</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>picture sizes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurement %1 has no run of %2. It has: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B has %1 times the speed of A; of single frames there is no interval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B is faster: %1 times the speed of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B is slower: %1 times the speed of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no difference that this measurement tells: B has %1 times the speed of A</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no result store, or is damaged: name another file with --store.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program has been writing to it for half a minute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What was stored before is there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The result store %1 cannot be opened: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed against a baseline that draws the same sides</source>
+        <translation>相对于绘制相同面的基准的速度</translation>
+    </message>
+    <message>
+        <source>Speed against drawing everything</source>
+        <translation>相对于绘制全部的速度</translation>
+    </message>
+    <message>
+        <source>Speed against drawing all front faces</source>
+        <translation>相对于绘制全部正面的速度</translation>
+    </message>
+    <message>
+        <source>fps in the slowest view</source>
+        <translation>最慢视图的 fps</translation>
+    </message>
+    <message>
+        <source>Share of the headroom, %</source>
+        <translation>占余地的比例，%</translation>
+    </message>
+    <message>
+        <source>Culled triangles, %</source>
+        <translation>剔除的三角形，%</translation>
+    </message>
+    <message>
+        <source>Culling, % of the frame</source>
+        <translation>剔除耗时，占帧 %</translation>
+    </message>
+    <message>
+        <source>Build time, ms</source>
+        <translation>构建时间，ms</translation>
+    </message>
+    <message>
+        <source>Structure, bytes</source>
+        <translation>结构，字节</translation>
+    </message>
+    <message>
+        <source>Missed per million</source>
+        <translation>每百万丢失</translation>
+    </message>
+    <message>
+        <source>Largest hole, pixels</source>
+        <translation>最大空洞，像素</translation>
+    </message>
+    <message>
+        <source>shape: exact set</source>
+        <translation>形状：精确</translation>
+    </message>
+    <message>
+        <source>shape: lossless</source>
+        <translation>形状：无损</translation>
+    </message>
+    <message>
+        <source>shape: lossy</source>
+        <translation>形状：有损</translation>
+    </message>
+    <message>
+        <source>There is no figure &quot;%1&quot;; there are %2.</source>
+        <translation>没有指标“%1”；可用的有 %2。</translation>
+    </message>
+    <message>
+        <source>0 (&lt; 3/%1)</source>
+        <translation>0 (&lt; 3/%1)</translation>
+    </message>
+    <message>
+        <source>front: nothing lost</source>
+        <translation>前沿：无丢失</translation>
+    </message>
+    <message>
+        <source>front: something lost</source>
+        <translation>前沿：有丢失</translation>
+    </message>
+    <message>
+        <source>trying views</source>
+        <translation>正在尝试各视图</translation>
+    </message>
+    <message>
+        <source>azimuth of the eye, degrees</source>
+        <translation>视点方位角，度</translation>
+    </message>
+    <message>
+        <source>elevation of the eye, degrees</source>
+        <translation>视点仰角，度</translation>
+    </message>
+    <message>
+        <source>the worst view</source>
+        <translation>最差视图</translation>
+    </message>
+    <message>
+        <source>plan of the places: x</source>
+        <translation>位置平面图：x</translation>
+    </message>
+    <message>
+        <source>No view was tried.</source>
+        <translation>没有尝试任何视图。</translation>
+    </message>
+    <message>
+        <source>%1 gains least where it has ×%2 the speed of drawing the same sides; %3 views were tried.</source>
+        <translation>%1 收益最小处的速度是绘制相同面的 ×%2；共尝试 %3 个视图。</translation>
+    </message>
+    <message>
+        <source>%1 lost nothing in %2 views (&lt; 3/%2).</source>
+        <translation>%1 在 %2 个视图中没有丢失任何东西（&lt; 3/%2）。</translation>
+    </message>
+    <message>
+        <source>%1 loses most where it loses %2 of %3 covered pixels; it loses something in %4 of %5 views.</source>
+        <translation>%1 丢失最多处在 %3 个覆盖像素中丢失 %2 个；%5 个视图中有 %4 个有丢失。</translation>
+    </message>
+    <message>
+        <source>Missed of a million covered pixels: %1</source>
+        <translation>每百万覆盖像素的丢失：%1</translation>
+    </message>
+    <message>
+        <source>Speed against drawing the same sides: %1</source>
+        <translation>相对于绘制相同面的速度：%1</translation>
+    </message>
+    <message>
+        <source>false negatives, triangles, %</source>
+        <translation>假阴性，三角形，%</translation>
+    </message>
+    <message>
+        <source>false positives, triangles, %</source>
+        <translation>假阳性，三角形，%</translation>
+    </message>
+    <message>
+        <source>false negatives, objects, %</source>
+        <translation>假阴性，物体，%</translation>
+    </message>
+    <message>
+        <source>false positives, objects, %</source>
+        <translation>假阳性，物体，%</translation>
+    </message>
+    <message>
+        <source>missed of the covered pixels, ppm</source>
+        <translation>覆盖像素中的丢失，ppm</translation>
+    </message>
+    <message>
+        <source>pixel errors, ppm</source>
+        <translation>像素错误，ppm</translation>
+    </message>
+    <message>
+        <source>popping, events per 1,000 frames</source>
+        <translation>突变，每 1,000 帧事件数</translation>
+    </message>
+    <message>
+        <source>popping, pixels</source>
+        <translation>突变，像素</translation>
+    </message>
+    <message>
+        <source>popping, duration in frames</source>
+        <translation>突变，持续帧数</translation>
+    </message>
+    <message>
+        <source>popping, pixels that change, ppm</source>
+        <translation>突变，变化的像素，ppm</translation>
+    </message>
+    <message>
+        <source>image difference, mean, ppm</source>
+        <translation>图像差异，平均，ppm</translation>
+    </message>
+    <message>
+        <source>silhouette error, pixels</source>
+        <translation>轮廓误差，像素</translation>
+    </message>
+    <message>
+        <source>image difference, p99, %</source>
+        <translation>图像差异，p99，%</translation>
+    </message>
+    <message>
+        <source>pixel errors of the worst view, ppm</source>
+        <translation>最差视图的像素错误，ppm</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6356,6 +6684,133 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>此外还使用 OpenMesh、libepoxy、GLM、meshoptimizer、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::AdviseDialog</name>
+    <message>
+        <source>&amp;Advise</source>
+        <translation>建议(&amp;A)</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Show it in the active view</source>
+        <translation>在活动视图中显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>导出(&amp;E)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Advice: which strategy suits this scene</source>
+        <translation>建议：哪种策略适合此场景</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>相机路径</translation>
+    </message>
+    <message>
+        <source>A built-in camera path, or a file</source>
+        <translation>内置相机路径或文件</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source>nothing may be missed</source>
+        <translation>不允许丢失</translation>
+    </message>
+    <message>
+        <source>may miss: </source>
+        <translation>允许丢失：</translation>
+    </message>
+    <message>
+        <source> per million</source>
+        <translation> / 百万</translation>
+    </message>
+    <message>
+        <source>How many of a million covered pixels may be missed</source>
+        <translation>每百万覆盖像素允许丢失的数量</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Promise</source>
+        <translation>保证</translation>
+    </message>
+    <message>
+        <source>× drawing everything</source>
+        <translation>× 绘制全部</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Missed per million</source>
+        <translation>每百万丢失</translation>
+    </message>
+    <message>
+        <source>Build time</source>
+        <translation>构建时间</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>Paid back after, frames</source>
+        <translation>收回所需帧数</translation>
+    </message>
+    <message>
+        <source>How it came out</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Strategies by their speed</source>
+        <translation>按速度排列的策略</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Advice as JSON…</source>
+        <translation>将建议存为 JSON…</translation>
+    </message>
+    <message>
+        <source>Points as CSV…</source>
+        <translation>将数据点存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Plot as SVG…</source>
+        <translation>将图存为 SVG…</translation>
+    </message>
+    <message>
+        <source>Plot as PDF…</source>
+        <translation>将图存为 PDF…</translation>
+    </message>
+    <message>
+        <source>Strategies are being tried on this scene; those that cannot win leave the race early…</source>
+        <translation>正在此场景上尝试各策略；不可能胜出的会提前退出…</translation>
+    </message>
+    <message>
+        <source>Each strategy that can serve this scene is measured over a camera path, and what cannot win is left out early. The answer says which one suits, what it would lose, and what its structure costs.</source>
+        <translation>沿相机路径测量能用于此场景的每种策略，不可能胜出的会提前排除。结果说明哪种合适、会丢失什么、其结构代价多大。</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
     </message>
 </context>
 <context>
@@ -7685,25 +8140,26 @@ OpenGL %2
         <translation>未测量丢失像素，因此没有可显示的损失。</translation>
     </message>
     <message>
-        <source>0 (&lt; 3/%1)</source>
-        <extracomment>Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.</extracomment>
-        <translation>0 (&lt; 3/%1)</translation>
+        <source>%1 by %2</source>
+        <extracomment>Two figures, as the axes of a plot.</extracomment>
+        <translation>%1（按 %2）</translation>
     </message>
     <message>
-        <source>shape: %1</source>
-        <translation>形状：%1</translation>
+        <source>No strategy has both of these figures.</source>
+        <translation>没有策略同时具有这两个指标。</translation>
     </message>
     <message>
-        <source>Missed per million</source>
-        <translation>每百万丢失</translation>
+        <source>%1: %2</source>
+        <comment>a figure and its value</comment>
+        <translation>%1：%2</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3, %4 per million missed</source>
-        <translation>%1，%2：×%3，每百万丢失 %4</translation>
+        <source>%1. Enter shows this strategy in the active view.</source>
+        <translation>%1。按 Enter 在活动视图中显示此策略。</translation>
     </message>
     <message>
-        <source>Speed against a baseline that draws the same sides</source>
-        <translation>相对绘制相同面的基线的速度</translation>
+        <source>A click shows it in the active view.</source>
+        <translation>单击可在活动视图中显示。</translation>
     </message>
 </context>
 <context>
@@ -8935,6 +9391,52 @@ sides [95 %]</source>
         <source>Each experiment that ends appears here beside the others, also at later starts.</source>
         <translation>每个结束的实验都与其他实验并列显示在此，以后启动时也在。</translation>
     </message>
+    <message>
+        <source>Race</source>
+        <translation>比赛</translation>
+    </message>
+    <message>
+        <source>Each strategy against each</source>
+        <translation>各策略两两比较</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as fast as %3.</source>
+        <comment>a strategy, a ratio, another strategy</comment>
+        <translation>%1 的速度是 %3 的 %2 倍。</translation>
+    </message>
+    <message>
+        <source>It takes %1 ms less a view (95 %: %2 to %3).</source>
+        <translation>每个视图少用 %1 ms（95 %：%2 至 %3）。</translation>
+    </message>
+    <message>
+        <source>It takes %1 ms less a view.</source>
+        <translation>每个视图少用 %1 ms。</translation>
+    </message>
+    <message>
+        <source>It misses %1 of a million pixels more.</source>
+        <translation>每百万像素多丢失 %1 个。</translation>
+    </message>
+    <message>
+        <source>The interval holds 1: which one is faster is not decided.</source>
+        <translation>区间包含 1：无法确定哪个更快。</translation>
+    </message>
+    <message>
+        <source>Figure across</source>
+        <translation>横轴指标</translation>
+    </message>
+    <message>
+        <source>Figure upwards</source>
+        <translation>纵轴指标</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <extracomment>An axis of a plot and its figure.</extracomment>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>↑ %1</source>
+        <translation>↑ %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::StepBar</name>
@@ -10063,6 +10565,101 @@ sides [95 %]</source>
     <message>
         <source>Draw a figure of a paper anew, and save it as a picture or as its numbers</source>
         <translation>重新绘制论文的插图，并保存为图片或数据</translation>
+    </message>
+    <message>
+        <source>Adv&amp;ise…</source>
+        <translation>建议(&amp;I)…</translation>
+    </message>
+    <message>
+        <source>Measure which strategy suits this scene, what it would lose, and what it costs</source>
+        <translation>测量哪种策略适合此场景、会丢失什么以及代价</translation>
+    </message>
+    <message>
+        <source>W&amp;orst view…</source>
+        <translation>最差视图(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Search for the view in which the active view&apos;s strategy loses most or gains least</source>
+        <translation>搜索活动视图的策略丢失最多或收益最小的视图</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::WorstDialog</name>
+    <message>
+        <source>&amp;Search</source>
+        <translation>搜索(&amp;S)</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>取消(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to the worst view</source>
+        <translation>转到最差视图(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the map…</source>
+        <translation>保存地图(&amp;V)…</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>The worst view of a strategy</source>
+        <translation>策略的最差视图</translation>
+    </message>
+    <message>
+        <source>that loses most</source>
+        <translation>丢失最多的视图</translation>
+    </message>
+    <message>
+        <source>that gains least</source>
+        <translation>收益最小的视图</translation>
+    </message>
+    <message>
+        <source>What is sought</source>
+        <translation>搜索目标</translation>
+    </message>
+    <message>
+        <source>from around the scene</source>
+        <translation>从场景周围</translation>
+    </message>
+    <message>
+        <source>from places within the scene</source>
+        <translation>从场景内部的位置</translation>
+    </message>
+    <message>
+        <source>Where the eye is</source>
+        <translation>视点位置</translation>
+    </message>
+    <message>
+        <source>views: </source>
+        <translation>视图：</translation>
+    </message>
+    <message>
+        <source>How many views are tried at most</source>
+        <translation>最多尝试的视图数</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Views are being tried, the worst parts of the map again and again in smaller parts…</source>
+        <translation>正在尝试各视图，地图上最差的部分会一再细分…</translation>
+    </message>
+    <message>
+        <source>The active view&apos;s strategy is drawn in many views, and the worst ones are searched more closely. A click on the map flies there.</source>
+        <translation>在许多视图中绘制活动视图的策略，并对最差处作更细的搜索。单击地图可转到该处。</translation>
+    </message>
+    <message>
+        <source>Save the map</source>
+        <translation>保存地图</translation>
+    </message>
+    <message>
+        <source>Pictures (*.svg *.pdf *.png)</source>
+        <translation>图片 (*.svg *.pdf *.png)</translation>
     </message>
 </context>
 </TS>

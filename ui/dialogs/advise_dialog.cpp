@@ -274,7 +274,7 @@ void AdviseDialog::showState() {
     m_plot->setMeasuring(m_running);
     if (!m_running) m_progress->setValue(m_advice ? 100 : 0);
     if (m_running)
-        m_answer->setText(tr("Strategies are being tried on this scene; those that cannot win leave out early…"));
+        m_answer->setText(tr("Strategies are being tried on this scene; those that cannot win leave the race early…"));
     else if (!m_advice)
         m_answer->setText(
             tr("Each strategy that can serve this scene is measured over a camera path, and what cannot win is left "

@@ -16,7 +16,8 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kReach = 12.0;  // pixels
+constexpr double kPpmOfAll = 1e6;
+constexpr double kPointReach = 12.0;  // pixels
 
 }  // namespace
 
@@ -52,7 +53,7 @@ TradePoint ParetoPlot::pointFor(size_t number) const {
     if (!run.missedPpm)
         point.values.erase(kUsualUp);
     else if (const auto known = point.values.find(kUsualUp); known == point.values.end())
-        point.values[kUsualUp] = {*run.missedPpm / kPartsPerMillion, {}, false};
+        point.values[kUsualUp] = {*run.missedPpm / kPpmOfAll, {}, false};
     return point;
 }
 
@@ -112,7 +113,7 @@ QString ParetoPlot::description() const {
 
 int ParetoPlot::lowestDecade() const { return m_plot.lowestDecade(*m_up); }
 
-double ParetoPlot::height(double missedPpm) const { return m_plot.along(*m_up, missedPpm / kPartsPerMillion); }
+double ParetoPlot::height(double missedPpm) const { return m_plot.along(*m_up, missedPpm / kPpmOfAll); }
 
 QString ParetoPlot::zeroLabel() const { return QString::fromStdString(m_plot.zeroLabel(*m_up, look(palette()))); }
 
@@ -156,7 +157,7 @@ std::optional<size_t> ParetoPlot::runAt(const QPointF& place) const {
     if (empty()) return std::nullopt;
     const PlotDrawing drawn = drawing();
     std::optional<size_t> nearest;
-    double reach = kReach;
+    double reach = kPointReach;
     for (size_t i = 0; i < m_placed.size() && !drawn.places.empty(); ++i) {
         const PlotPoint pixel = drawn.places.front().pixel(m_plot.place(m_plot.points()[i]));
         const double distance = std::hypot(pixel.x - place.x(), pixel.y - place.y());

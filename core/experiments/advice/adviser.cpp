@@ -16,8 +16,9 @@ constexpr double kFar = 2.5;            // as many times as long as the fastest:
 constexpr double kExcluded = 0.96;      // the interval's end below which a slower one leaves
 constexpr double kFarOfVariants = 4.0;  // of a default, so that its other values are not tried
 constexpr double kSame = 0.99;          // faster by less does not count against a smaller structure
-constexpr double kBuildFrames = 300.0, kLeastBuildSeconds = 3.0;
+constexpr double kBuildFrames = 100.0, kLeastBuildSeconds = 2.0;
 constexpr double kFrameSeconds = 1.0, kLongFrames = 10.0;
+constexpr double kSlowFirst = 5.0;  // of a first frame, which fills caches, too
 
 const StrategyInfo& infoOf(const Entrant& entrant) { return findStrategy(entrant.figures.strategy.id).info; }
 
@@ -93,7 +94,8 @@ private:
         if (const std::optional<Message> why = unserved(infoOf(entrant), m_request.path.camera(0))) return refuse(entrant, *why);
         double seconds = m_request.buildSeconds;
         if (seconds <= 0.0) {
-            const double frame = m_entrants.empty() ? 0.0 : sumOf(m_entrants.front().probes) / 1000.0 / double(probes());
+            const double best = bestProbes() / 1000.0 / double(probes());
+            const double frame = std::isfinite(best) ? best : 0.0;
             seconds = std::max(kLeastBuildSeconds, kBuildFrames * frame);
         }
         const Deadline deadline(seconds, m_progress.stop);
@@ -153,7 +155,7 @@ private:
     void probe(Entrant& entrant) {
         const std::optional<double> first = m_race.draw(entrant, m_order.front(), longFrame(m_order.front()));
         if (!first) return;
-        const bool slow = *first > kLongFrames * bestProbe(m_order.front());
+        const bool slow = *first > kSlowFirst * bestProbe(m_order.front());
         for (size_t i = 0; i < probes() && !slow; ++i) {
             std::optional<double> least;
             for (int frame = 0; frame < (entrant.eligible ? 2 : 1); ++frame) {

@@ -79,7 +79,7 @@ void addDirections(LinePlot& plot, const WorstResult& result, const Steps& steps
 
 void addPlaces(LinePlot& plot, const WorstResult& result, const Steps& steps) {
     plot.x = {CULLSCOPE_TR("plan of the places: x"), PlotScale::Linear};
-    plot.y = {result.request.scene->upAxis() == UpAxis::Z ? CULLSCOPE_TR("y") : CULLSCOPE_TR("-z"), PlotScale::Linear};
+    plot.y = {result.request.scene->upAxis() == UpAxis::Z ? "y" : "-z", PlotScale::Linear};
     std::map<size_t, const TriedView*> worstOf;
     for (const TriedView& view : result.views) {
         const TriedView*& known = worstOf[view.place];
