@@ -259,11 +259,9 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
         case SpeedupOverTriangles:
             return speed(row.speedupOverTriangles);
         case Fps:
-            return row.fpsOverall ? ratioWithTwoDigits(*row.fpsOverall) : QString();
+            return row.fpsOverall ? ratioText(*row.fpsOverall) : QString();
         case FpsRange:
-            return row.fpsMin && row.fpsMax
-                       ? ratioWithTwoDigits(*row.fpsMin) + QStringLiteral(" – ") + ratioWithTwoDigits(*row.fpsMax)
-                       : QString();
+            return row.fpsMin && row.fpsMax ? ratioText(*row.fpsMin) + QStringLiteral(" – ") + ratioText(*row.fpsMax) : QString();
         case CullShare:
             return percent(row.cullShare);
         case Submitted:

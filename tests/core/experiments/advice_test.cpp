@@ -141,7 +141,9 @@ TEST(WorstView, findsTheSideFromWhichAStrategyLoses) {
     for (const worst::TriedView& view : result.views)
         if (view.replaced == 0) area += (view.right - view.left) * (view.top - view.bottom);
     EXPECT_NEAR(area, 360.0 * 180.0, 1e-6);
-    EXPECT_EQ(result.at({worst.azimuth(), worst.elevation()}), &worst);
+    // A click into a part of the map goes to its view.
+    for (const worst::TriedView& view : result.views)
+        if (view.replaced == 0) EXPECT_EQ(result.at({view.azimuth(), view.elevation()}), &view);
     // The first pose of the file is the worst view, found again by a measurement.
     MeasureRequest again;
     again.scene = request.scene;
