@@ -160,7 +160,7 @@ void printSteps(std::FILE* words, const BuiltStrategy& strategy, const FrameLog&
 }
 
 /// The frame's log up to the chosen step.
-FrameLog upToStep(const RenderOptions& options, FrameLog log) {
+FrameLog upToStep(const RenderOptions& options, const FrameLog& log) {
     if (!options.step) return log;
     if (*options.step < 0 || uint64_t(*options.step) > log.entries())
         throwUsage(CULLSCOPE_TR("--step %1: this frame has the steps 0 to %2."),
@@ -199,25 +199,32 @@ void run(const RenderOptions& options, const Context& context) {
     const SceneBuffers buffers(opened.scene, Upload::Vbo);
     const bool recording =
         choice.needsDecisions() || (below && below->overlays.needsDecisions()) || options.step || options.steps;
-    const FrameLog log =
-        upToStep(options, frameOf(renderer, buffers, *strategy, view, recording, terminalProgress(context).stop));
-    Drawn drawn = drawPicture(renderer, buffers, *strategy, log, viewingView, choice, style);
+    const FrameLog whole = frameOf(renderer, buffers, *strategy, view, recording, terminalProgress(context).stop);
+    const FrameLog log = upToStep(options, whole);
+    const auto drawnBy = [&](const View& viewed, const OverlayChoice& chosen) {
+        Drawn picture = drawPicture(renderer, buffers, *strategy, log, viewed, chosen, style);
+        if (!options.step || chosen.replacesScene() || chosen.look.has(Show::Kind::Verdicts)) return picture;
+        const DrawList ahead = strategy->decidedAhead(whole, size_t(*options.step));
+        if (!ahead.ranges.empty()) drawAhead(renderer, buffers, viewed, ahead, style, picture.rgba);
+        return picture;
+    };
+    Drawn drawn = drawnBy(viewingView, choice);
     if (below) {
         View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
         cut(side);
         // Rows count from the bottom, so the second picture's rows come first.
-        Drawn second = drawPicture(renderer, buffers, *strategy, log, side, below->overlays, style);
+        Drawn second = drawnBy(side, below->overlays);
         drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
         if (drawn.line.empty()) drawn.line = std::move(second.line);
     }
     const auto& [states, rgba, line] = drawn;
-    const Viewport whole{size.width, below ? 2 * size.height : size.height};
+    const Viewport pictureSize{size.width, below ? 2 * size.height : size.height};
     const Submitted submitted = submittedBy(*opened.scene, log);
     PictureSubject subject = subjectOf(options, request, choice, viewingView, style, log, submitted);
     subject.section = section;
     PictureMetadata metadata = subjectMetadata(subject);
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
-    Picture picture{whole, rgba, std::move(metadata)};
+    Picture picture{pictureSize, rgba, std::move(metadata)};
     if (keepsDepth(options.output) && !choice.replacesScene() && !below) addDepth(renderer, picture, buffers, viewingView, log);
     writePicture(options.output, picture);
     // Where the picture goes to standard output, the text goes to standard error.

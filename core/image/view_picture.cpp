@@ -1,6 +1,7 @@
 #include "core/image/view_picture.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/gpu/colour.h"
 #include "core/image/overlays.h"
@@ -277,6 +278,21 @@ void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrateg
     const View culling(log.camera, log.size);
     if (byPlane) drawAll({planeOverlay(context, culling)});
     drawAll(frustumOverlay(context, culling));
+}
+
+void drawAhead(Renderer& renderer, const SceneBuffers& buffers, const View& viewing, const DrawList& ahead,
+               const DrawStyle& style, std::vector<uint8_t>& rgba) {
+    Framebuffer target(viewing.viewport());
+    DrawStyle clear = style;
+    clear.backgroundAlpha = 0.0f;
+    renderer.draw(buffers, viewing, ahead, target, clear);
+    const std::vector<uint8_t> over = target.readColour();
+    for (size_t pixel = 0; pixel < rgba.size(); pixel += 4) {
+        if (over[pixel + 3] == 0) continue;
+        for (size_t channel = 0; channel < 4; ++channel)
+            rgba[pixel + channel] =
+                uint8_t(std::lround(kAheadOpacity * over[pixel + channel] + (1.0 - kAheadOpacity) * rgba[pixel + channel]));
+    }
 }
 
 }  // namespace cullscope

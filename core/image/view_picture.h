@@ -100,4 +100,10 @@ void drawCoarsePicture(Renderer& renderer, const SceneBuffers& buffers, const Co
                        const BuiltStrategy& strategy, const FrameLog& log, std::span<const TriangleState> states,
                        const View& viewing, const ViewLook& look, const DrawStyle& style, Framebuffer& target);
 
+/// With this opacity what a step has decided to draw and no command has drawn yet lies over its picture.
+inline constexpr double kAheadOpacity = 0.35;
+/// Lays those triangles over a picture of the view (RGBA, rows from the bottom), as the desktop does.
+void drawAhead(Renderer& renderer, const SceneBuffers& buffers, const View& viewing, const DrawList& ahead,
+               const DrawStyle& style, std::vector<uint8_t>& rgba);
+
 }  // namespace cullscope

@@ -1,6 +1,7 @@
 #include "core/spatial/cut_triangles.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -19,13 +20,38 @@ constexpr double kReading = 0x1p-50;
 /// A coordinate is kept as a float, from the middle of its mesh: so large a part of it may be rounded away.
 constexpr double kAsFloat = 0x1.01p-24;
 
-struct PlaceHash {
-    size_t operator()(const Vec3& place) const {
-        size_t hash = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            hash = (hash ^ std::hash<double>{}(place[axis] + 0.0)) * 0x9E3779B97F4A7C15ull ^ hash >> 29;
-        return hash;
+/// Places, each with a number: one table that is made and freed at once, so that no million entries of their own hold up the end
+/// of work that is stopped.
+class KnownPlaces {
+public:
+    /// For at most so many.
+    explicit KnownPlaces(size_t most) : m_bits(std::bit_width(2 * most + 1)), m_numbers(size_t{1} << m_bits, kNone) {}
+
+    /// The place's number in `places`, to which a new one is added.
+    uint32_t numberOf(const Vec3& place, std::vector<Vec3>& places) {
+        const size_t last = m_numbers.size() - 1;
+        size_t slot = hash(place) >> (64 - m_bits);
+        while (m_numbers[slot] != kNone && places[m_numbers[slot]] != place) slot = (slot + 1) & last;
+        if (m_numbers[slot] == kNone) {
+            m_numbers[slot] = uint32_t(places.size());
+            places.push_back(place);
+        }
+        return m_numbers[slot];
     }
+
+private:
+    static constexpr uint32_t kNone = UINT32_MAX;
+
+    static uint64_t hash(const Vec3& place) {
+        uint64_t hash = 0;
+        // 0 is added because −0 equals 0.
+        for (int axis = 0; axis < 3; ++axis)
+            hash = (hash ^ std::bit_cast<uint64_t>(place[axis] + 0.0)) * 0x9E3779B97F4A7C15ull ^ hash >> 29;
+        return hash * 0x9E3779B97F4A7C15ull;
+    }
+
+    int m_bits;
+    std::vector<uint32_t> m_numbers;
 };
 
 /// Of the sides around a polygon that change twice: a corner in the plane that is no end of the cut, because the polygon only
@@ -112,7 +138,9 @@ CutTriangles::CutTriangles(const Scene& scene, const Progress& progress) : m_sce
 
 void CutTriangles::addCorners(const Scene& scene, const Progress& progress) {
     WorkCheck work(progress);
-    std::unordered_map<Vec3, uint32_t, PlaceHash> known;
+    size_t vertices = 0;
+    for (uint32_t instance = 0; instance < scene.instances().size(); ++instance) vertices += scene.meshOf(instance).vertexCount();
+    KnownPlaces known(vertices);
     m_ofTriangle.reserve(3 * scene.triangleCount());
     std::vector<uint32_t> numbers;
     for (uint32_t instance = 0; instance < scene.instances().size(); ++instance) {
@@ -120,21 +148,18 @@ void CutTriangles::addCorners(const Scene& scene, const Progress& progress) {
         if (mesh.triangleCount() == 0) continue;
         const Mat4& place = scene.instances()[instance].worldFromMesh;
         numbers.assign(mesh.vertexCount(), 0);
-        // At once: a table that grows moves all that it has between two steps.
-        known.reserve(known.size() + mesh.vertexCount());
         const Mat3 turn(place);
         for (size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
             work.step();
             const Vec3 world(place * Vec4(mesh.position(vertex), 1.0));
-            const auto [entry, isNew] = known.try_emplace(world, uint32_t(m_positions.size()));
-            if (isNew) m_positions.push_back(world);
-            numbers[vertex] = entry->second;
+            const uint32_t number = known.numberOf(world, m_positions);
+            numbers[vertex] = number;
             if (scene.planes().empty()) continue;
             m_rounding.resize(m_positions.size(), Vec3(0.0));
             const Vec3 kept = glm::abs(mesh.position(vertex) - mesh.origin()) * kAsFloat;
             Vec3 rounding(0.0);
             for (int axis = 0; axis < 3; ++axis) rounding += glm::abs(turn[axis]) * kept[axis];
-            m_rounding[entry->second] = glm::max(m_rounding[entry->second], rounding);
+            m_rounding[number] = glm::max(m_rounding[number], rounding);
         }
         for (const uint32_t index : mesh.indices()) {
             work.step();

@@ -51,6 +51,9 @@ public:
 
     // Of a recorded frame.
 
+    [[nodiscard]] DrawList decidedAhead(const FrameLog& log, size_t entries) const {
+        return m_strategy->decidedAhead(*m_structure, log, entries);
+    }
     /// The lines of an overlay that the strategy declares; none for any other id.
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
                                                     const FrameLog& log) const;

@@ -1,5 +1,7 @@
 #include "core/visibility/strategy.h"
 
+#include "core/frame/decided_ahead.h"
+
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -91,5 +93,9 @@ std::string Strategy::frameLine(const Structure& /*structure*/, const FrameLog& 
 
 void Strategy::addWhySteps(const Structure& /*structure*/, const FrameLog& /*log*/, uint32_t /*instance*/, uint32_t /*triangle*/,
                            std::vector<WhyStep>& /*steps*/) const {}
+
+DrawList Strategy::decidedAhead(const Structure& /*structure*/, const FrameLog& log, size_t entries) const {
+    return cullscope::decidedAhead(log, entries);
+}
 
 }  // namespace cullscope

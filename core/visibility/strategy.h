@@ -194,6 +194,10 @@ public:
     /// tree. Those of `parts`, unless a strategy knows more.
     [[nodiscard]] virtual NamedParts partsByLeaf(const Structure& structure, const FrameLog& log) const;
 
+    /// What the first entries of a recorded frame have decided to draw and no command has drawn yet: by what their decisions name
+    /// (frame/decided_ahead.h), unless a strategy knows more.
+    [[nodiscard]] virtual DrawList decidedAhead(const Structure& structure, const FrameLog& log, size_t entries) const;
+
     // What the strategy declares in StrategyInfo::shows, of a recorded frame.
 
     /// The lines of a declared overlay.
@@ -245,6 +249,7 @@ public:
     [[nodiscard]] StructureSnapshot snapshot(const Structure& structure, const FrameLog& log) const final {
         StructureSnapshot result = snapshotOf(own(structure), log);
         markTested(result, log);
+        markReached(result, log);
         return result;
     }
 

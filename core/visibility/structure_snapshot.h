@@ -25,7 +25,8 @@ struct SnapshotNode {
     bool culled = false;
     Cause cause = Cause::OutsideFrustum;  ///< with `culled`
     Containment containment = Containment::Straddles;
-    bool tested = false;                     ///< the frame said a test of it by itself (markTested)
+    bool tested = false;  ///< the frame said a test of it by itself (markTested)
+    bool reached = true;  ///< false in a part of a frame that says nothing yet of it or of what it holds (markReached)
     std::optional<FrustumPlane> rejectedBy;  ///< the plane that culled it; none: no single plane did
 
     [[nodiscard]] bool isGroup() const { return instance == kGroup; }
@@ -56,5 +57,7 @@ struct StructureSnapshot {
 
 /// Sets SnapshotNode::tested by the tests that a recorded frame said.
 void markTested(StructureSnapshot& snapshot, const FrameLog& log);
+/// Sets SnapshotNode::reached by what the first entries of a recorded frame said; of a whole frame every node is reached.
+void markReached(StructureSnapshot& snapshot, const FrameLog& log);
 
 }  // namespace cullscope

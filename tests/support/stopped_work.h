@@ -43,6 +43,9 @@ public:
         return s_longest;
     }
 
+    /// The time that the calling thread worked since its last look.
+    [[nodiscard]] double sinceLastLook() const { return ownMilliseconds() - s_last; }
+
 private:
     static double ownMilliseconds() {
         timespec time{};
@@ -63,9 +66,10 @@ private:
 
 /// What became of work that another thread stopped on its way.
 struct StoppedWork {
-    bool interrupted = false;  ///< false: it was done before
-    uint64_t stepsBefore = 0;  ///< when the stop was requested
-    uint64_t stepsAfter = 0;   ///< made after the request
+    bool interrupted = false;      ///< false: it was done before
+    uint64_t stepsBefore = 0;      ///< when the stop was requested
+    uint64_t stepsAfter = 0;       ///< made after the request
+    double endMilliseconds = 0.0;  ///< of the working thread, from its last look to its end: what it freed took so long
 };
 
 /// Runs `work(progress)`; another thread requests the stop at the first look after so many steps. The work waits there for the
@@ -88,6 +92,7 @@ StoppedWork stoppedAfter(uint64_t steps, const Work& work) {
         work(Progress{nullptr, source.get_token()});
     } catch (const Error& error) {
         result.interrupted = error.kind() == ErrorKind::Interrupted;
+        result.endMilliseconds = watched.sinceLastLook();
     }
     done = true;
     stopper.join();

@@ -5,7 +5,6 @@
 #include <limits>
 #include <set>
 
-#include "core/frame/decided_ahead.h"
 #include "core/image/spherical_model.h"
 #include "core/image/view_picture.h"
 #include "core/scene/camera_moves.h"
@@ -98,7 +97,7 @@ PictureDrawing::PictureDrawing(const ViewRequest& request, const ViewFramePointe
     m_picture->request = request;
     m_picture->frame = shownFrame(request, frame);
     if (request.upTo && !request.unanswered && !request.look.has(Show::Kind::Verdicts) && !request.look.inPlace())
-        m_ahead = decidedAhead(frame->log, entriesUpTo(*frame, *request.upTo));
+        m_ahead = request.strategy->decidedAhead(frame->log, entriesUpTo(*frame, *request.upTo));
     if (!m_ahead.ranges.empty()) m_picture->ahead = newImage(request.size, QImage::Format_RGBA8888);
     const Scene& scene = request.buffers->scene();
     m_picture->consideredTriangles = log().consideredTriangles();

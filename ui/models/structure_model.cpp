@@ -26,7 +26,10 @@ bool sameBoxes(const StructureSnapshot& a, const StructureSnapshot& b) {
 /// A group that the planes and axes of the frustum rejected, not its size or what lies before it.
 bool rejectedByFrustum(const SnapshotNode& node) { return node.isGroup() && node.culled && node.cause == Cause::OutsideFrustum; }
 
-TriangleState stateOf(const SnapshotNode& node) { return node.culled ? stateOfCause(node.cause) : TriangleState::Visible; }
+TriangleState stateOf(const SnapshotNode& node) {
+    if (!node.reached) return TriangleState::Undecided;
+    return node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
+}
 
 }  // namespace
 
@@ -54,7 +57,7 @@ void StructureModel::setStates(const std::shared_ptr<const TriangleStates>& stat
 }
 
 std::optional<TriangleState> StructureModel::stateAgainstTruth(const SnapshotNode& node, size_t number) const {
-    if (!m_states || node.culled || holdsOthers(number)) return std::nullopt;
+    if (!m_states || !node.reached || node.culled || holdsOthers(number)) return std::nullopt;
     const std::optional<ObjectVerdicts::Verdict> verdict = m_verdicts.of(node.instance);
     return verdict ? std::optional(verdict->state) : std::nullopt;
 }
@@ -111,7 +114,7 @@ QString StructureModel::keptText(size_t node) const {
 QIcon StructureModel::verdictIconOf(size_t node) const {
     const SnapshotNode& box = m_snapshot->nodes[node];
     const Below& below = m_below[node];
-    if (box.culled || below.leftOut == 0) return verdictIcon(stateAgainstTruth(box, node).value_or(stateOf(box)));
+    if (!box.reached || box.culled || below.leftOut == 0) return verdictIcon(stateAgainstTruth(box, node).value_or(stateOf(box)));
     // Of several causes the first, as in their order.
     const TriangleState left = stateOfCause(Cause(std::countr_zero(below.causes)));
     return below.leftOut == below.boxes ? verdictIcon(left) : verdictIcon(TriangleState::Visible, left);
@@ -188,6 +191,7 @@ QString StructureModel::text(const SnapshotNode& node, size_t number, int column
         case Triangles:
             return countText(node.triangles);
         case Verdict:
+            if (!node.reached) return translated(triangleStateName(TriangleState::Undecided));
             if (node.culled) return translated(causeName(node.cause));
             if (const auto state = stateAgainstTruth(node, number)) return translated(triangleStateName(*state));
             return holdsOthers(number) ? keptText(number) : tr("submitted");

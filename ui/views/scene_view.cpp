@@ -15,7 +15,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kAheadOpacity = 0.35;  // of what is decided and not drawn yet
 
 }  // namespace
 

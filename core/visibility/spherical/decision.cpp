@@ -84,6 +84,8 @@ std::vector<CellState> cellStates(const MapSnapshot& map) {
     std::vector<CellState> states(cells, hidden ? CellState::Hidden : CellState::OutsideFrustum);
     for (const CellRun& run : map.decision.drawn)
         std::fill(states.begin() + run.first, states.begin() + run.last, CellState::Drawn);
+    for (const CellRun& run : map.undecided)
+        std::fill(states.begin() + run.first, states.begin() + run.last, CellState::Undecided);
     for (uint32_t cell = 0; cell < cells; ++cell)
         if (map.maps->centroids(cell).empty()) states[cell] = CellState::Empty;
     return states;

@@ -133,13 +133,14 @@ struct SphericalDecision {
 struct MapSnapshot {
     LazyMaps maps;
     SphericalDecision decision;
-    CellTreePointer tree{};       ///< of `spherical-lossless`, which decides by this tree; the maps only display the result
-    InnerKernelPointer kernel{};  ///< of `spherical-lossless`
+    CellTreePointer tree{};            ///< of `spherical-lossless`, which decides by this tree; the maps only display the result
+    InnerKernelPointer kernel{};       ///< of `spherical-lossless`
+    std::vector<CellRun> undecided{};  ///< ascending: cells of which a part of a frame does not say yet what becomes of them
 };
 
 /// The result for a cell of the centroid map. For `spherical-lossless`, which has other cells: the last state of this list that
 /// any of the cell's triangles has.
-enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Drawn };
+enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Undecided, Drawn };
 /// The states by cell number.
 [[nodiscard]] std::vector<CellState> cellStates(const MapSnapshot& map);
 

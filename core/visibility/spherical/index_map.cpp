@@ -29,6 +29,8 @@ std::optional<TriangleState> stateOfCell(CellState state) {
             return TriangleState::Hidden;
         case CellState::OutsideFrustum:
             return TriangleState::OutsideFrustum;
+        case CellState::Undecided:
+            return TriangleState::Undecided;
         case CellState::Empty:
             break;
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/message.h"
+#include "core/visibility/spherical/bands_so_far.h"
 #include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
 
@@ -138,9 +139,36 @@ StructureSnapshot MappedCulling::snapshotOf(const MappedScene& structure, const 
     return result;
 }
 
-MapSnapshot MappedCulling::mapOfDecision(const MappedScene& structure, const FrameLog& /*log*/,
+DrawList MappedCulling::decidedAhead(const Structure& structure, const FrameLog& log, size_t entries) const {
+    DrawList ahead = StrategyWithMaps::decidedAhead(structure, log, entries);
+    const size_t all = std::min(entries, log.entries()), done = log.commandsWithin(all);
+    if (done > 0) return ahead;
+    const auto objects = bandsInHand(log, all - done);
+    // Cells of such an object are named by its bands, and then again by its ranges.
+    std::erase_if(ahead.ranges, [&](const DrawRange& range) { return objects.contains(range.instance); });
+    for (const auto& [instance, object] : objects) {
+        const MappedMesh& mesh = own(structure).meshOf(instance);
+        for (const CellRun& run : cellsSoFar(*mesh.bandCells, object).drawn)
+            if (const auto [first, count] = mesh.maps->run(run.first, run.last); count > 0)
+                ahead.ranges.push_back({instance, uint32_t(3 * first), uint32_t(3 * count)});
+    }
+    return ahead;
+}
+
+MapSnapshot MappedCulling::mapOfDecision(const MappedScene& structure, const FrameLog& log,
                                          const SphericalDecision& decision) const {
-    return {structure.meshOf(decision.instance).maps, decision};
+    const MappedMesh& mesh = structure.meshOf(decision.instance);
+    MapSnapshot map{mesh.maps, decision};
+    if (log.whole) return map;
+    const auto objects = bandsInHand(log, log.decisions.size());
+    const auto object = objects.find(decision.instance);
+    if (object == objects.end()) return map;
+    CellsSoFar cells = cellsSoFar(*mesh.bandCells, object->second);
+    map.decision.drawnTriangles = 0;
+    for (const CellRun& run : cells.drawn) map.decision.drawnTriangles += mesh.maps->run(run.first, run.last).second;
+    map.decision.drawn = std::move(cells.drawn);
+    map.undecided = std::move(cells.undecided);
+    return map;
 }
 
 }  // namespace cullscope::spherical

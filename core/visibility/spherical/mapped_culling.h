@@ -17,6 +17,10 @@ struct MappedObject {
 class MappedCulling : public StrategyWithMaps<MappedScene> {
     using StrategyWithMaps::StrategyWithMaps;
 
+public:
+    /// Besides what decisions name, the cells of bands that were found to be drawn.
+    [[nodiscard]] DrawList decidedAhead(const Structure& structure, const FrameLog& log, size_t entries) const final;
+
 protected:
     /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
     /// `record`, if it is not null, is told of the tests of rays, bands and cells where they fall.

@@ -145,5 +145,20 @@ TEST(CutTriangles, readingAndFinishingStopAtTheNextLook) {
     EXPECT_LE(finishing.stepsAfter, WorkCheck::kBetween);
 }
 
+TEST(CutTriangles, endsSoonAfterAStopAlsoWhereNoCornerIsShared) {
+    const uint64_t count = howMany(1'000'000, 200'000);
+    std::vector<Vec3f> corners;
+    for (uint64_t i = 0; i < count; ++i) {
+        const Vec3f at(float(i % 1000), float(i / 1000), 0.0f);
+        corners.insert(corners.end(), {at, at + Vec3f(0.5f, 0, 0), at + Vec3f(0, 0.5f, 0)});
+    }
+    const ScenePointer scene = sceneOf({soupMesh(std::move(corners))});
+    for (const uint64_t steps : {count, 2 * count, 3 * count - 10'000, 5 * count}) {
+        const StoppedWork stopped = stoppedAfter(steps, [&](const Progress& progress) { (void)CutTriangles(*scene, progress); });
+        EXPECT_TRUE(stopped.interrupted) << steps;
+        EXPECT_LE(stopped.endMilliseconds, fewSamples() ? 1000.0 : 100.0) << steps;
+    }
+}
+
 }  // namespace
 }  // namespace cullscope::test::cut_triangles_test

@@ -190,9 +190,9 @@ TEST(MapPicture, everyContourIsDrawn) {
         EXPECT_FALSE(drawn(90, 180 + 15 * band - 7.5)) << band;
     }
     for (int band = 1; band < 6; ++band) EXPECT_TRUE(drawn(90 - 15 * band, 180)) << band;
-    EXPECT_TRUE(picture.near(90, 182, Vec3f(0.0f), 1)) << "the start's ring";
-    EXPECT_FALSE(picture.near(90, 180, Vec3f(0.0f), 0.5)) << "which is open";
-    EXPECT_EQ(picture.at(90, 0.5), Vec3f(0.0f)) << "the end's dot";
+    EXPECT_EQ(picture.at(90, 180.5), Vec3f(0.0f)) << "the start's dot";
+    EXPECT_TRUE(picture.near(90, 2, Vec3f(0.0f), 1)) << "the end's ring";
+    EXPECT_FALSE(picture.near(90, 0.5, Vec3f(0.0f), 0.5)) << "which is open";
 }
 
 TEST(MapPicture, smallestSizesAreDrawn) {

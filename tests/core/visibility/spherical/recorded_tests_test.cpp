@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/frame/cell_map.h"
 #include "core/frame/decided_ahead.h"
 #include "core/visibility/spherical/contour_bands.h"
 #include "core/visibility/spherical/recorded_decisions.h"
@@ -226,6 +227,39 @@ TEST(RecordedTests, pictureGrowsRangeByRangeToThatOfTheFrame) {
         EXPECT_EQ(before, frame.consideredTriangles);
         EXPECT_GT(growths, 10u);
     }
+}
+
+TEST(RecordedTests, pictureAndMapGrowSectorBySectorWhereBandsDecide) {
+    const ScenePointer scene = star();
+    const View view({{6, 0.3, 0.1}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(60.0), 0.05, 60}, {160, 120});
+    const CullerPointer culler = makeCuller("spherical");
+    culler->build(*scene);
+    const Culled frame = culler->cull(view, Recording::On);
+    const BuiltStrategy& strategy = *culler->built();
+    uint64_t before = 0;
+    size_t growths = 0, undecidedBefore = SIZE_MAX, sectors = 0;
+    for (size_t k = 0; k < frame.log.entries(); ++k) {
+        const uint64_t ahead = strategy.decidedAhead(frame.log, k).triangleCount();
+        EXPECT_GE(ahead, before) << "step " << k;
+        growths += ahead > before ? 1 : 0;
+        before = ahead;
+        if (k % 16 != 0) continue;
+        const FrameLog part = frame.log.upTo(k);
+        if (part.decisions.empty() || part.decisions.back().subject.kind != Subject::Kind::Band) continue;
+        const CellMapPointer map = strategy.directionMap("index-map", part);
+        ASSERT_TRUE(map);
+        const auto& states = map->source->states();
+        const auto undecided = size_t(std::ranges::count(states, std::optional(TriangleState::Undecided)));
+        EXPECT_LE(undecided, undecidedBefore) << "step " << k;
+        EXPECT_EQ(size_t(std::ranges::count(states, std::optional(TriangleState::Visible))) > 0, ahead > 0) << "step " << k;
+        undecidedBefore = undecided;
+        ++sectors;
+    }
+    EXPECT_EQ(before, frame.consideredTriangles);
+    EXPECT_GT(growths, 100u);
+    EXPECT_GT(sectors, 10u);
+    const auto& whole = strategy.directionMap("index-map", frame.log)->source->states();
+    EXPECT_EQ(std::ranges::count(whole, std::optional(TriangleState::Undecided)), 0);
 }
 
 TEST(RecordedTests, partOfALogKnowsNothingOfObjectsThatWereDecidedLater) {
