@@ -1,11 +1,13 @@
 #include "core/scene/camera_path.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <functional>
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/scene/camera_path_pose.h"
 #include "core/scene/eye_triangle.h"
 #include "core/scene/frustum_share.h"
 #include "core/scene/tour.h"
@@ -157,8 +159,9 @@ double distanceOfShare(const Scene& scene, CameraPath& path, size_t pose, const 
 }
 
 /// Twelve views slightly around the case's direction, from outside the bounding sphere with a narrow field of view, at the
-/// distance that gives the paper's share of faces. Which faces `spherical` considers there is a result, not a setting.
-CameraPath sphericalCase(const Scene& scene, const SphericalCase& wanted) {
+/// distance that gives the paper's share of faces. Which faces `spherical` considers there is a result, not a setting. `only`:
+/// the pose whose distance is searched for; left out: all.
+CameraPath sphericalCase(const Scene& scene, const SphericalCase& wanted, std::optional<size_t> only = {}) {
     constexpr size_t kPoses = 12;
     constexpr double kTilt = 0.04;
     CameraPath path = pathAround(scene, wanted.name, Angle::fromDegrees(wanted.fovy));
@@ -168,7 +171,8 @@ CameraPath sphericalCase(const Scene& scene, const SphericalCase& wanted) {
         const double turn = kTau * double(i) / kPoses;
         const Vec3 direction = glm::normalize(wanted.direction + kTilt * (std::cos(turn) * side + std::sin(turn) * wanted.up));
         path.poses.push_back({target + direction, target, wanted.up});
-        path.poses.back().eye = target + direction * distanceOfShare(scene, path, i, direction, wanted.share);
+        if (only.value_or(i) == i)
+            path.poses.back().eye = target + direction * distanceOfShare(scene, path, i, direction, wanted.share);
     }
     return path;
 }
@@ -255,6 +259,11 @@ Vec3 surfaceCentroid(const Scene& scene) {
 
 Camera CameraPath::camera(size_t pose) const {
     return {poses.at(pose).eye, poses.at(pose).target, poses.at(pose).up, fovy, nearDistance, farDistance, projection, height};
+}
+
+CameraPath cameraPathAt(std::string_view nameOrFile, size_t pose, const Scene& scene) {
+    const auto* one = std::ranges::find(kSphericalCases, nameOrFile, [](const SphericalCase& each) { return each.name; });
+    return one != kSphericalCases.end() ? sphericalCase(scene, *one, pose) : cameraPath(nameOrFile, scene);
 }
 
 CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene, const Progress& progress) {

@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/camera_moves.h"
-#include "core/scene/camera_path.h"
+#include "core/scene/camera_path_pose.h"
 #include "ui/session/lesson.h"
 
 namespace cullscope::ui {
@@ -11,7 +11,7 @@ namespace cullscope::ui {
 namespace {
 
 Camera cameraOf(const CameraChoice& choice, const Scene& scene) {
-    const CameraPath path = cameraPath(choice.path, scene);
+    const CameraPath path = cameraPathAt(choice.path, choice.pose, scene);
     if (choice.pose >= path.poses.size())
         throwUsage(QT_TRANSLATE_NOOP("core", "The camera path %1 has no pose %2 here: its last one is %3."),
                    {choice.path, std::to_string(choice.pose), std::to_string(path.poses.size() - 1)});

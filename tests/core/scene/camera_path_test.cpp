@@ -6,7 +6,9 @@
 #include <fstream>
 #include <numeric>
 
+#include "core/base/error.h"
 #include "core/mesh/parametric.h"
+#include "core/scene/camera_path_pose.h"
 #include "core/scene/scene_source.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/refusal.h"
@@ -219,6 +221,19 @@ TEST(CameraPath, overviewShowsEverything) {
                         0.0);
         }
     }
+}
+
+TEST(CameraPath, onePoseOfACaseIsThatOfTheWholePath) {
+    const ScenePointer scene = openScene("star:seed=5,triangles=2000").scene;
+    for (const char* name : {"case-1", "case-2", "case-3", "orbit:5", "walk:6"}) {
+        const CameraPath whole = cameraPath(name, *scene);
+        for (const size_t pose : {size_t(0), size_t(3), whole.poses.size() - 1}) {
+            const CameraPath one = cameraPathAt(name, pose, *scene);
+            ASSERT_EQ(one.poses.size(), whole.poses.size()) << name;
+            EXPECT_EQ(one.camera(pose), whole.camera(pose)) << name << ", pose " << pose;
+        }
+    }
+    EXPECT_THROW((void)cameraPathAt("case-4", 0, *scene), Error);
 }
 
 }  // namespace
