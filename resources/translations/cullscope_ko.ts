@@ -6258,8 +6258,8 @@
         <translation>여유 중 비율, % [95 %]</translation>
     </message>
     <message>
-        <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing all of it in the order of neighbours is faster.</source>
-        <translation>뺐지만 결국 그립니다. 물체의 삼각형 중 %1개에 1개도 되지 않게 빠지며, 이웃 순서로 전체를 그리는 쪽이 빠릅니다.</translation>
+        <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, those that face away counted half, and drawing all of it in the order of neighbours is faster.</source>
+        <translation>뺐지만 결국 그립니다. 물체의 삼각형 중 %1개에 1개도 되지 않게 빠지며(뒤로 향한 것은 절반으로 셈), 이웃 순서로 전체를 그리는 쪽이 빠릅니다.</translation>
     </message>
     <message>
         <source>No scene is open.</source>

@@ -6258,8 +6258,8 @@
         <translation>占余地的比例，% [95 %]</translation>
     </message>
     <message>
-        <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, and drawing all of it in the order of neighbours is faster.</source>
-        <translation>已剔除但仍绘制：该物体的三角形中剔除的不到 %1 分之一，按相邻顺序全部绘制更快。</translation>
+        <source>Left out, but drawn after all: less than one in %1 triangles of the object is left out, those that face away counted half, and drawing all of it in the order of neighbours is faster.</source>
+        <translation>已剔除但仍绘制：该物体的三角形中剔除的不到 %1 分之一（背向的按一半计），按相邻顺序全部绘制更快。</translation>
     </message>
     <message>
         <source>No scene is open.</source>

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <numbers>
+#include <numeric>
 
 #include "core/scene/camera_path.h"
 #include "core/scene/eye_triangle.h"
@@ -131,6 +132,27 @@ TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
     EXPECT_THAT(parts(inverted, "front", {0, 0, 5}, 0.1), Pair(true, false)) << "its inside is what is drawn";
     const MeshPointer mixed = changed(*star, kStay, [](size_t i) { return i % 5 == 0; });
     EXPECT_THAT(parts(mixed, "auto", {0, 0, 5}, 0.1), Pair(false, false));
+}
+
+TEST(SphericalLossless, leavesTrianglesOutOnlyWhereThatSavesEnough) {
+    // Those that face away count half: an object of which less than an eighth would be saved is drawn whole.
+    size_t whole = 0, byCells = 0;
+    for (const MeshPointer& mesh : {torusMesh(16'000), knotMesh(16'000), bumpyMesh(3, 16'000, 0.2), starMesh(7, 16'000)}) {
+        const ScenePointer scene = sceneOf({mesh});
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", "front"}});
+        strategy->build(*scene);
+        Random random(17);
+        for (int i = 0; i < 12; ++i) {
+            const Culled frame = strategy->cull(around(*scene, random));
+            const auto& culled = frame.culledTriangles;
+            const uint64_t leftOut = std::accumulate(culled.begin(), culled.end(), uint64_t{0});
+            const uint64_t saved = leftOut - culled[size_t(Cause::BackFacing)] / 2;
+            EXPECT_TRUE(leftOut == 0 || 8 * saved >= scene->triangleCount()) << saved << " of " << scene->triangleCount();
+            ++(leftOut == 0 ? whole : byCells);
+        }
+    }
+    EXPECT_GT(whole, 3u);
+    EXPECT_GT(byCells, 10u);
 }
 
 TEST(SphericalLossless, answerDoesNotDependOnRecordingOrTheThreads) {
