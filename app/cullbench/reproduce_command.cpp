@@ -72,8 +72,8 @@ private:
 class ReportWriter {
 public:
     ReportWriter(const CommandOptions& options, const Context& context) : m_options(options), m_context(context) {
-        m_report.started = store::timeText().substr(0, 16) + " UTC";
-        std::replace(m_report.started.begin(), m_report.started.end(), 'T', ' ');
+        const std::string now = store::timeText();  // 2026-11-25T16:50:46.123Z
+        m_report.started = now.substr(0, 10) + " " + now.substr(11, 5) + " UTC";
         m_report.command = context.command;
         m_report.complete = false;
     }

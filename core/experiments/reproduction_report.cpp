@@ -25,6 +25,7 @@ table { border-collapse: collapse; font-size: 16px; line-height: 1.35; margin: 1
 th, td { padding: 4px 10px; border-bottom: 1px solid #c8ccd0; text-align: right; vertical-align: top; }
 td { white-space: nowrap; }
 th { border-bottom: 2px solid #14171c; vertical-align: bottom; }
+.machine th { border-bottom: 1px solid #c8ccd0; vertical-align: top; }
 .words { text-align: left; }
 td.words { white-space: normal; min-width: 6em; max-width: 28em; }
 .stated { background: #f3ecd4; }
@@ -173,7 +174,7 @@ std::string tableHtml(const ReportedTable& reported) {
 }
 
 std::string machineHtml(const ReproductionReport& report) {
-    std::string html = "<table>\n";
+    std::string html = "<table class=\"machine\">\n";
     const auto row = [&](const char* name, const std::string& value) {
         if (!value.empty())
             html += fmt::format("<tr><th class=\"words\">{}</th><td class=\"words\">{}</td></tr>\n", name, escaped(value));
