@@ -15,7 +15,7 @@ namespace {
 constexpr const char* kReportStyle = R"(
 :root { color-scheme: light; }
 body { font: 18px/1.5 "Noto Sans", "DejaVu Sans", sans-serif; color: #14171c; background: #fff; margin: 0 auto; padding: 24px;
-    max-width: 1180px; }
+    max-width: 1500px; }
 h1 { font-size: 34px; line-height: 1.2; margin: 0 0 8px; }
 h2 { font-size: 26px; line-height: 1.25; margin: 48px 0 4px; border-top: 2px solid #14171c; padding-top: 16px; }
 p, ul { margin: 8px 0; }
@@ -27,7 +27,7 @@ td { white-space: nowrap; }
 th { border-bottom: 2px solid #14171c; vertical-align: bottom; }
 .machine th { border-bottom: 1px solid #c8ccd0; vertical-align: top; }
 .words { text-align: left; }
-td.words { white-space: normal; min-width: 6em; max-width: 28em; }
+td.words { white-space: normal; min-width: 9em; max-width: 28em; }
 .stated { background: #f3ecd4; }
 tr.origins th { border-bottom: 0; font-weight: 400; color: #3c4450; padding-bottom: 0; }
 figure { margin: 16px 0; }
@@ -45,9 +45,9 @@ nav a { color: inherit; }
     h1 { font-size: 20pt; } h2 { font-size: 14pt; margin-top: 18pt; break-after: avoid; }
     .wide { overflow: visible; }
     table { font-size: 7.5pt; } th, td { padding: 1.5pt 4pt; } thead { display: table-header-group; } tr { break-inside: avoid; }
-    td { white-space: normal; }
+    td { white-space: normal; } td.words { min-width: 0; }
     pre { font-size: 8pt; break-inside: avoid; break-before: avoid; }
-    figure { break-inside: avoid; } figure img { max-height: 165mm; margin: 0 auto; }
+    figure { break-inside: avoid; } figure img { max-height: 120mm; margin: 0 auto; }
     .stated, pre { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 )";
@@ -152,8 +152,8 @@ std::string tableHtml(const ReportedTable& reported) {
     if (table.interrupted) html += "<p><strong>Stopped early:</strong> what was measured until then.</p>\n";
     html += rowsHtml(table) + commandHtml(reported.command);
     for (const LinePlot& plot : table.plots)
-        html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n{}", picture(linePlotsSvg({plot}), plot.title),
-                            escaped(plot.title), commandHtml(reported.command + " --svg " + table.experiment + ".svg"));
+        html += fmt::format("<figure>{}</figure>\n{}", picture(linePlotsSvg({plot}), plot.title),
+                            commandHtml(reported.command + " --svg " + table.experiment + ".svg"));
     if (!table.checks.empty()) {
         html += "<ul>\n";
         for (const CheckResult& check : table.checks)
