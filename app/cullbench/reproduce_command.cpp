@@ -1,13 +1,19 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/language.h"
 #include "app/cullbench/output.h"
 #include "app/cullbench/tables.h"
 #include "core/base/error.h"
 #include "core/experiments/experiment_list.h"
+#include "core/experiments/han_hong_figures.h"
+#include "core/experiments/han_hong_rows.h"
+#include "core/experiments/reproduction_report.h"
 #include "core/gpu/context.h"
+#include "core/image/drawing_svg.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -17,7 +23,7 @@ struct CommandOptions {
     std::string scene;  ///< in place of the experiment's own; empty: its own
     TableFiles files;
     int repeat = 0;
-    std::string store;
+    std::string store, report;
 };
 
 /// An experiment with a scene of the user's.
@@ -40,9 +46,9 @@ std::vector<const Experiment*> chosen(const std::string& id) {
 /// go on for the files alone; without files, ReaderGone ends them.
 class TablePrinter {
 public:
-    explicit TablePrinter(const TableFiles& files)
+    TablePrinter(const TableFiles& files, bool report)
         : m_out(tableOutput(files)),
-          m_forFiles(!files.json.empty() || !files.csv.empty() || !files.svg.empty() || !files.png.empty()) {}
+          m_forFiles(report || !files.json.empty() || !files.csv.empty() || !files.svg.empty() || !files.png.empty()) {}
 
     void print(const ResultTable& table) {
         if (m_readerGone) return;
@@ -62,9 +68,70 @@ private:
     bool m_first = true, m_readerGone = false;
 };
 
+/// The report of --output, written anew after every table and figure: what is done is kept whatever ends the program.
+class ReportWriter {
+public:
+    ReportWriter(const CommandOptions& options, const Context& context) : m_options(options), m_context(context) {
+        const std::string now = store::timeText();  // 2026-11-25T16:50:46.123Z
+        m_report.started = now.substr(0, 10) + " " + now.substr(11, 5) + " UTC";
+        m_report.command = context.command;
+        m_report.complete = false;
+    }
+
+    void add(const ResultTable& table) {
+        std::string command = "cullbench reproduce " + table.experiment;
+        if (!m_options.scene.empty()) command += " '" + m_options.scene + "'";
+        if (m_options.repeat > 0) command += fmt::format(" --repeat {}", m_options.repeat);
+        m_report.tables.push_back({table, command});
+        write();
+    }
+    void addFailure(const Message& why) {
+        m_report.missing.push_back(why);
+        write();
+    }
+    /// The figures of Han & Hong, of the paper's own mesh.
+    void addFigures() {
+        if (m_options.report.empty() || m_context.stop.stop_requested()) return;
+        try {
+            const OpenedScene opened = openScene(han_hong::kBunny, m_context.sceneOptions, {nullptr, m_context.stop});
+            std::optional<HeadlessContext> gl;
+            if (!hasCurrentContext()) gl.emplace();
+            for (int number = 1; number <= han_hong::kFigures; ++number) addFigure(number, opened.scene);
+        } catch (const Error& error) {
+            addFailure(error.message());
+        }
+    }
+    void complete() {
+        m_report.complete = true;
+        write();
+    }
+
+private:
+    void addFigure(int number, const ScenePointer& scene) {
+        han_hong::FigureRequest request;
+        request.number = number;
+        request.scene = scene;
+        request.strategy = strategyFromText(han_hong::kShownStrategy);
+        PageLook look;
+        look.style = svgStyle();
+        look.say = [catalogue = Catalogue("en")](const Words& words) { return catalogue.say(words); };
+        const han_hong::Figure figure = han_hong::figure(request, look, {nullptr, m_context.stop});
+        m_report.figures.push_back({han_hong::figureTitle(number), figure.data.source, pageSvg(figure.page),
+                                    fmt::format("cullbench figure {} -o figure-{}.svg", number, number)});
+        write();
+    }
+    void write() const {
+        if (!m_options.report.empty()) writeText(m_options.report, reproductionHtml(m_report));
+    }
+
+    const CommandOptions& m_options;
+    const Context& m_context;
+    ReproductionReport m_report;
+};
+
 /// Adds a table for each experiment; finished tables stay where a later experiment fails.
 void reproduceAll(const std::vector<const Experiment*>& experiments, const ExperimentOptions& options, const Progress& progress,
-                  TablePrinter& printer, store::Recorder* recorder, std::vector<ResultTable>& tables) {
+                  TablePrinter& printer, store::Recorder* recorder, ReportWriter& report, std::vector<ResultTable>& tables) {
     std::optional<HeadlessContext> gl;
     MeasuredScene shared;
     ExperimentStage stage;
@@ -78,8 +145,11 @@ void reproduceAll(const std::vector<const Experiment*>& experiments, const Exper
         tables.push_back(
             runExperiment(*experiments[i], options, progress.part(double(i) / count, double(i + 1) / count), {}, stage));
         clearProgress();
+        report.add(tables.back());
         printer.print(tables.back());
     }
+    if (experiments.size() > 1) report.addFigures();
+    if (!tables.back().interrupted) report.complete();
 }
 
 /// Throws Error(Usage) for a plot file where none of the experiments has a plot.
@@ -101,15 +171,19 @@ void run(const CommandOptions& options, Context& context) {
     if (!options.files.csv.empty() && experiments.size() > 1)
         throwUsage(CULLSCOPE_TR("--csv has the rows of one experiment: name it in place of %1."), {options.experiment});
     checkTableFiles(options.files);
+    checkOutputPlaces({options.report});
+    if (options.report == "-") throwUsage(CULLSCOPE_TR("The report is written anew after every table: name a file with -o."));
     const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, options.experiment, context);
     std::vector<ResultTable> tables;
     std::optional<Error> failure;
-    TablePrinter printer(options.files);
+    ReportWriter report(options, context);
+    TablePrinter printer(options.files, !options.report.empty());
     try {
         reproduceAll(experiments, {context.sceneOptions, options.repeat}, terminalProgress(context), printer, recorder.get(),
-                     tables);
+                     report, tables);
     } catch (const Error& error) {
         failure = error;
+        report.addFailure(error.message());
     }
     if (!tables.empty()) writeTables(options.files, tables);
     if (failure) throw *failure;
@@ -132,6 +206,8 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     command->add_option("--csv", options->files.csv, "result file with the rows of one experiment; - is standard output");
     command->add_option("--svg", options->files.svg, "the plots of experiments that have one; - is standard output");
     command->add_option("--png", options->files.png, "the same as one picture: .png, .jpg or .tif; - is standard output (PNG)");
+    command->add_option("-o,--output", options->report,
+                        "report: tables, plots and figures beside the sources' own as one HTML page, with the commands");
     addStoreOption(*command, options->store);
     command->callback([options, &context] { run(*options, context); });
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <iterator>
@@ -17,7 +18,7 @@ struct StoreOptions {
     std::string file;
     store::Filter filter;
     int64_t number = 0;
-    std::string a, b, json, csv;
+    std::string a, b, json, csv, svg;
     std::vector<std::string> files;
 };
 
@@ -97,10 +98,11 @@ void compareSides(const StoreOptions& options) {
 }
 
 void exportStored(const StoreOptions& options) {
-    if (options.json.empty() && options.csv.empty()) throwUsage(CULLSCOPE_TR("Name a file with --json or --csv."));
-    if (options.json == "-" && options.csv == "-")
-        throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
-    checkOutputPlaces({options.json, options.csv});
+    if (options.json.empty() && options.csv.empty() && options.svg.empty())
+        throwUsage(CULLSCOPE_TR("Name a file with --json, --csv or --svg."));
+    if (std::ranges::count(std::array{options.json, options.csv, options.svg}, std::string("-")) > 1)
+        throwUsage(CULLSCOPE_TR("Only one of the files can go to standard output: name the others."));
+    checkOutputPlaces({options.json, options.csv, options.svg});
     const store::ResultStore opened(options.file, store::Database::Access::Existing);
     std::vector<store::Stored> all;
     if (options.number > 0)
@@ -110,14 +112,20 @@ void exportStored(const StoreOptions& options) {
     if (!options.json.empty())
         writeText(options.json, options.number > 0 ? store::storedJson(all.front()) : store::storedJson(all));
     if (!options.csv.empty()) writeText(options.csv, store::storedCsv(all));
+    if (!options.svg.empty()) {
+        std::vector<LinePlot> plots;
+        for (const store::Stored& each : all) plots.push_back(store::framePlot(each));
+        writeText(options.svg, linePlotsSvg(plots));
+    }
 }
 
-/// What a file has is told by its first field.
+/// A certificate is told by its first field.
 void addFile(const store::ResultStore& opened, const std::string& file, const std::string& command) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file});
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    if (text.find("\"certificate\"") != std::string::npos && text.find("\"runs\"") == std::string::npos) {
+    constexpr size_t kFirstField = 40;
+    if (text.substr(0, kFirstField).find("\"certificate\"") != std::string::npos) {
         say("certificate {}: {}\n", opened.addCertificate(certify::readCertificate(file)), file);
         return;
     }
@@ -164,6 +172,7 @@ void addStoreCommand(CLI::App& app, Context& context) {
     addFilterOptions(*exports, options->filter);
     exports->add_option("--json", options->json, "result file; - is standard output");
     exports->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");
+    exports->add_option("--svg", options->svg, "the time of a frame by pose, a plot for each measurement");
     exports->callback([options] { exportStored(*options); });
 
     CLI::App* adds = command->add_subcommand("add", "Adds result files of measure and certificates of certify");

@@ -5710,10 +5710,6 @@
         <translation>x, y, z 또는 view와 비율을 쓰십시오. 예: &quot;x:0.5&quot;.</translation>
     </message>
     <message>
-        <source>%1 is no history of experiments: it is passed over, and the next experiment replaces it.</source>
-        <translation>%1 파일은 실험 기록이 아닙니다. 무시하며, 다음 실험이 이 파일을 대신합니다.</translation>
-    </message>
-    <message>
         <source>The height of a parallel view must be a number above 0, not %1.</source>
         <translation>평행 투영 뷰의 높이는 0보다 큰 수여야 하며, %1일 수 없습니다.</translation>
     </message>
@@ -6653,6 +6649,86 @@
         <source>pixel errors of the worst view, ppm</source>
         <translation>최악 시점의 픽셀 오류, ppm</translation>
     </message>
+    <message>
+        <source>%1 is no history of experiments: it is passed over.</source>
+        <translation>%1 파일은 실험 기록이 아니므로 무시합니다.</translation>
+    </message>
+    <message>
+        <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
+        <translation>%1에 해당하는 측정이 없습니다. 3처럼 번호로, 또는 3:frustum처럼 번호와 전략으로 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
+        <translation>측정 %1 및 %2의 비교 불가: %3 다름.</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>camera paths</source>
+        <translation>카메라 경로</translation>
+    </message>
+    <message>
+        <source>picture sizes</source>
+        <translation>그림 크기</translation>
+    </message>
+    <message>
+        <source>Measurement %1 has no run of %2. It has: %3.</source>
+        <translation>측정 %1에는 %2의 결과가 없습니다. 있는 전략: %3.</translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
+        <translation>측정 %1 및 %2의 비교 불가: 공통된 전략이나 자세가 없습니다.</translation>
+    </message>
+    <message>
+        <source>B has %1 times the speed of A; of single frames there is no interval</source>
+        <translation>B의 속도는 A의 %1배이며, 프레임이 하나뿐이라 구간이 없습니다</translation>
+    </message>
+    <message>
+        <source>B is faster: %1 times the speed of A</source>
+        <translation>B가 더 빠름: A 속도의 %1배</translation>
+    </message>
+    <message>
+        <source>B is slower: %1 times the speed of A</source>
+        <translation>B가 더 느림: A 속도의 %1배</translation>
+    </message>
+    <message>
+        <source>no difference that this measurement tells: B has %1 times the speed of A</source>
+        <translation>이 측정으로는 차이를 알 수 없음: B의 속도는 A의 %1배</translation>
+    </message>
+    <message>
+        <source>%1 is no result store, or is damaged: name another file with --store.</source>
+        <translation>%1 파일은 결과 저장소가 아니거나 손상되었습니다. --store로 다른 파일을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program has been writing to it for half a minute.</source>
+        <translation>%1 파일이 사용 중입니다. 다른 프로그램이 30초째 쓰고 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What was stored before is there.</source>
+        <translation>%1 파일에 쓸 수 없습니다: %2. 이미 저장된 것은 그대로 있습니다.</translation>
+    </message>
+    <message>
+        <source>The result store %1 cannot be opened: %2.</source>
+        <translation>결과 저장소 %1 파일을 열 수 없습니다: %2.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
+        <translation>%1 파일은 더 새로운 버전의 Cullscope로 기록되었습니다(구조 %2, 이 버전은 %3까지). 그 버전을 사용하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure.</source>
+        <translation>%1 파일은 cullbench measure의 결과 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
+        <translation>%1 파일에 측정 %2이(가) 없습니다. cullbench store %1 list로 목록을 보십시오.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6856,6 +6932,78 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>그 뒤 뷰가 바뀌었습니다. 다시 세는 중.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ComparisonDialog</name>
+    <message>
+        <source>Compare two experiments</source>
+        <translation>두 실험 비교</translation>
+    </message>
+    <message>
+        <source>%1 · A: %2, B: %3</source>
+        <comment>a scene, and the times of two experiments</comment>
+        <translation>%1 · A: %2, B: %3</translation>
+    </message>
+    <message>
+        <source>A and B were measured one after the other: what else the machine did then is not in the intervals.</source>
+        <translation>A와 B는 차례로 따로 측정되었습니다. 그때 컴퓨터가 하던 다른 일의 영향은 구간에 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>A, ms</source>
+        <translation>A, ms</translation>
+    </message>
+    <message>
+        <source>B, ms</source>
+        <translation>B, ms</translation>
+    </message>
+    <message>
+        <source>× of B to A</source>
+        <translation>A 대비 B ×</translation>
+    </message>
+    <message>
+        <source>Missed by A</source>
+        <translation>A가 놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>Missed by B</source>
+        <translation>B가 놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>What the interval says</source>
+        <translation>구간의 결론</translation>
+    </message>
+    <message>
+        <source>of single frames there is no interval</source>
+        <translation>프레임이 하나뿐이라 구간 없음</translation>
+    </message>
+    <message>
+        <source>B is faster</source>
+        <translation>B가 더 빠름</translation>
+    </message>
+    <message>
+        <source>B is slower</source>
+        <translation>B가 더 느림</translation>
+    </message>
+    <message>
+        <source>no difference that it tells</source>
+        <translation>차이를 알 수 없음</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>Frame, ms</source>
+        <translation>프레임, ms</translation>
     </message>
 </context>
 <context>
@@ -7234,6 +7382,41 @@ OpenGL %2
         <comment>scene, time, path and size</comment>
         <translation>%1, %2
 %3</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::HistoryPanel</name>
+    <message>
+        <source>Filter by scene, strategy or date</source>
+        <translation>장면, 전략, 날짜로 거르기</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>내보내기…</translation>
+    </message>
+    <message>
+        <source>The chosen experiments, or all that the filter leaves, as JSON or CSV</source>
+        <translation>고른 실험, 또는 걸러진 모든 실험을 JSON이나 CSV로</translation>
+    </message>
+    <message>
+        <source>Experiments beside each other</source>
+        <translation>나란히 놓인 실험</translation>
+    </message>
+    <message>
+        <source>How many times as fast the later one is, with intervals</source>
+        <translation>나중 실험이 몇 배 빠른지, 구간과 함께</translation>
+    </message>
+    <message>
+        <source>Choose two experiments by their headings, the second one with Ctrl</source>
+        <translation>머리글로 두 실험을 고르십시오. 둘째는 Ctrl을 누른 채</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
     </message>
 </context>
 <context>
@@ -9378,10 +9561,6 @@ sides [95 %]</source>
     <message>
         <source>History</source>
         <translation>기록</translation>
-    </message>
-    <message>
-        <source>Experiments beside each other</source>
-        <translation>나란히 놓인 실험</translation>
     </message>
     <message>
         <source>Report as PDF…</source>

@@ -5418,10 +5418,6 @@
         <translation>请写 x、y、z 或 view，以及一个比例，例如 &quot;x:0.5&quot;。</translation>
     </message>
     <message>
-        <source>%1 is no history of experiments: it is passed over, and the next experiment replaces it.</source>
-        <translation>%1 不是实验记录：将忽略它，下一次实验会替换它。</translation>
-    </message>
-    <message>
         <source>The height of a parallel view must be a number above 0, not %1.</source>
         <translation>平行视图的高度必须是大于 0 的数，而不是 %1。</translation>
     </message>
@@ -6653,6 +6649,86 @@
         <source>pixel errors of the worst view, ppm</source>
         <translation>最差视图的像素错误，ppm</translation>
     </message>
+    <message>
+        <source>%1 is no history of experiments: it is passed over.</source>
+        <translation>%1 不是实验记录，已跳过。</translation>
+    </message>
+    <message>
+        <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
+        <translation>%1 不是测量：请用编号（如 3）或编号加策略（如 3:frustum）指定。</translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
+        <translation>无法比较测量 %1 和 %2：二者的%3不同。</translation>
+    </message>
+    <message>
+        <source>scenes</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>camera paths</source>
+        <translation>相机路径</translation>
+    </message>
+    <message>
+        <source>picture sizes</source>
+        <translation>图像尺寸</translation>
+    </message>
+    <message>
+        <source>Measurement %1 has no run of %2. It has: %3.</source>
+        <translation>测量 %1 中没有 %2。其中有：%3。</translation>
+    </message>
+    <message>
+        <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
+        <translation>无法比较测量 %1 和 %2：没有共同的策略或视点。</translation>
+    </message>
+    <message>
+        <source>B has %1 times the speed of A; of single frames there is no interval</source>
+        <translation>B 的速度是 A 的 %1 倍；只有单帧，没有置信区间</translation>
+    </message>
+    <message>
+        <source>B is faster: %1 times the speed of A</source>
+        <translation>B 更快：速度是 A 的 %1 倍</translation>
+    </message>
+    <message>
+        <source>B is slower: %1 times the speed of A</source>
+        <translation>B 更慢：速度是 A 的 %1 倍</translation>
+    </message>
+    <message>
+        <source>no difference that this measurement tells: B has %1 times the speed of A</source>
+        <translation>此次测量看不出差别：B 的速度是 A 的 %1 倍</translation>
+    </message>
+    <message>
+        <source>%1 is no result store, or is damaged: name another file with --store.</source>
+        <translation>%1 不是结果库，或已损坏：请用 --store 指定另一个文件。</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another program has been writing to it for half a minute.</source>
+        <translation>%1 正在使用中：另一个程序已写入半分钟。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. What was stored before is there.</source>
+        <translation>无法写入 %1：%2。此前存入的内容仍在。</translation>
+    </message>
+    <message>
+        <source>The result store %1 cannot be opened: %2.</source>
+        <translation>无法打开结果库 %1：%2。</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
+        <translation>%1 由更新版本的 Cullscope 写入（布局 %2，本版本只支持到 %3）：请使用那个版本。</translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure.</source>
+        <translation>%1 不是 cullbench measure 的结果文件。</translation>
+    </message>
+    <message>
+        <source>pose</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
+        <translation>%1 中没有测量 %2：用 cullbench store %1 list 列出。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6856,6 +6932,78 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>视图已变化：正在重新统计。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ComparisonDialog</name>
+    <message>
+        <source>Compare two experiments</source>
+        <translation>比较两次实验</translation>
+    </message>
+    <message>
+        <source>%1 · A: %2, B: %3</source>
+        <comment>a scene, and the times of two experiments</comment>
+        <translation>%1 · A：%2，B：%3</translation>
+    </message>
+    <message>
+        <source>A and B were measured one after the other: what else the machine did then is not in the intervals.</source>
+        <translation>A 和 B 先后分别测量：当时机器上其他工作的影响不包含在区间内。</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>A, ms</source>
+        <translation>A，毫秒</translation>
+    </message>
+    <message>
+        <source>B, ms</source>
+        <translation>B，毫秒</translation>
+    </message>
+    <message>
+        <source>× of B to A</source>
+        <translation>B 相对 A 的 ×</translation>
+    </message>
+    <message>
+        <source>Missed by A</source>
+        <translation>A 丢失的像素</translation>
+    </message>
+    <message>
+        <source>Missed by B</source>
+        <translation>B 丢失的像素</translation>
+    </message>
+    <message>
+        <source>What the interval says</source>
+        <translation>区间的结论</translation>
+    </message>
+    <message>
+        <source>of single frames there is no interval</source>
+        <translation>只有单帧，没有区间</translation>
+    </message>
+    <message>
+        <source>B is faster</source>
+        <translation>B 更快</translation>
+    </message>
+    <message>
+        <source>B is slower</source>
+        <translation>B 更慢</translation>
+    </message>
+    <message>
+        <source>no difference that it tells</source>
+        <translation>看不出差别</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>Frame, ms</source>
+        <translation>帧，毫秒</translation>
     </message>
 </context>
 <context>
@@ -7234,6 +7382,41 @@ OpenGL %2
         <comment>scene, time, path and size</comment>
         <translation>%1，%2
 %3</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::HistoryPanel</name>
+    <message>
+        <source>Filter by scene, strategy or date</source>
+        <translation>按场景、策略或日期筛选</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>The chosen experiments, or all that the filter leaves, as JSON or CSV</source>
+        <translation>所选实验，或筛选后的全部实验，保存为 JSON 或 CSV</translation>
+    </message>
+    <message>
+        <source>Experiments beside each other</source>
+        <translation>并列的实验</translation>
+    </message>
+    <message>
+        <source>How many times as fast the later one is, with intervals</source>
+        <translation>后一次实验快多少倍，附区间</translation>
+    </message>
+    <message>
+        <source>Choose two experiments by their headings, the second one with Ctrl</source>
+        <translation>通过标题选择两次实验，第二次按住 Ctrl</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
     </message>
 </context>
 <context>
@@ -9378,10 +9561,6 @@ sides [95 %]</source>
     <message>
         <source>History</source>
         <translation>历史</translation>
-    </message>
-    <message>
-        <source>Experiments beside each other</source>
-        <translation>并列的实验</translation>
     </message>
     <message>
         <source>Report as PDF…</source>

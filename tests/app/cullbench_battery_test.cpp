@@ -146,6 +146,7 @@ echo 17
     EXPECT_TRUE(merged["complete"]);
     EXPECT_EQ(merged["views"], 600);
     EXPECT_EQ(merged["lost_views"], 0);
+    EXPECT_THAT(cullbench({"store", file("study/results.store"), "list"}).out, HasSubstr("certificate 1"));
     EXPECT_EQ(runProcess({CULLSCOPE_SOURCE_DIR "/packaging/slurm", CULLBENCH, file("study"), "frustum", "many", "3"}, {path})
                   .exitStatus,
               2);

@@ -117,8 +117,9 @@ TEST_F(CullbenchContract, interruptBeforeTheFirstRowWritesNoTable) {
 TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
     // On a busy machine the first views take longer than on a quiet one.
     for (double seconds = 5.0; seconds <= 80.0 && !std::filesystem::exists(file("f.json")); seconds *= 2.0) {
-        const ProcessResult result = cullbench(
-            {"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg", file("f.svg")}, {}, seconds);
+        const ProcessResult result = cullbench({"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg",
+                                                file("f.svg"), "-o", file("f.html")},
+                                               {}, seconds);
         EXPECT_EQ(result.exitStatus, 130) << result.err;
     }
     std::ifstream in(file("f.json"));
@@ -132,6 +133,11 @@ TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
     EXPECT_THAT(text, testing::StartsWith("<svg"));
     EXPECT_THAT(text, HasSubstr("Frames per second by viewpoint"));
     EXPECT_THAT(text, testing::EndsWith("</svg>\n"));
+    std::ifstream html(file("f.html"));
+    const std::string report((std::istreambuf_iterator<char>(html)), std::istreambuf_iterator<char>());
+    EXPECT_THAT(report, testing::AllOf(HasSubstr("Not complete"), HasSubstr("Stopped early"),
+                                       HasSubstr("<pre>cullbench reproduce vfc-40-views --repeat 1</pre>"),
+                                       HasSubstr("src=\"data:image/svg+xml;base64,"), testing::EndsWith("</html>\n")));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@ namespace cullscope::fuzz {
 const std::vector<Target>& targets() {
     static const std::vector<Target> kTargets{{"bsp_tree", bsp_tree},
                                               {"camera_path", camera_path},
+                                              {"certificate", certificate},
                                               {"drawn_sets", drawn_sets},
                                               {"generator", generator},
                                               {"hidden_objects", hidden_objects},
@@ -19,6 +20,7 @@ const std::vector<Target>& targets() {
                                               {"ply", ply},
                                               {"polygons", polygons},
                                               {"resampling", resampling},
+                                              {"result_store", result_store},
                                               {"rvm", rvm},
                                               {"session", session},
                                               {"specification", specification},

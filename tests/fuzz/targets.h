@@ -17,6 +17,7 @@ struct Target {
 
 // Files.
 void camera_path(std::string_view input);
+void certificate(std::string_view input);
 void drawn_sets(std::string_view input);
 void lesson(std::string_view input);
 void obj(std::string_view input);
@@ -25,6 +26,7 @@ void om(std::string_view input);
 void picture_metadata(std::string_view input);  ///< the first byte says which format
 void ply(std::string_view input);
 void polygons(std::string_view input);
+void result_store(std::string_view input);
 void rvm(std::string_view input);
 void session(std::string_view input);
 void stl(std::string_view input);

@@ -193,7 +193,7 @@ protected:
 };
 
 TEST_F(Packages, listHasTheSectionsThatTheScriptsName) {
-    for (const char* section : {"build", "libraries", "desktop", "modules", "run", "tests", "clang", "deb"})
+    for (const char* section : {"build", "libraries", "desktop", "modules", "run", "tests", "clang", "slurm", "deb"})
         EXPECT_TRUE(list.contains(section)) << section;
 }
 

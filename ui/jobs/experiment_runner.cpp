@@ -55,6 +55,7 @@ struct ExperimentRunner::Bench {
         buffers.reset();
     }
     void end() {
+        if (ready && ready->recorder) ready->recorder->end(!meter || !meter->complete());
         letGo();
         ready.reset();
         known.reset();
@@ -106,6 +107,7 @@ struct ExperimentRunner::Bench {
             if (meter->poses() == before) continue;
             // A loss cannot be dated to a frame, so the pose just measured is dropped; the result without it is kept.
             if (gpu.lost()) return Outcome{known, experimentLoss()};
+            if (ready->recorder) ready->recorder->afterPose(*meter);
             keepResult();
         }
         if (!meter || gpu.lost()) return Outcome{known, experimentLoss()};
@@ -130,7 +132,8 @@ ExperimentRunner::~ExperimentRunner() {
     if (m_gpu) m_gpu->run([this] { m_bench->end(); });
 }
 
-void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPointer& uploaded) {
+void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPointer& uploaded,
+                             const std::shared_ptr<store::Recorder>& recorder) {
     if (!m_gpu) return;
     m_stop.request_stop();
     m_jobs.cancel();
@@ -138,7 +141,8 @@ void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPo
     m_stop = std::stop_source();
     m_board = std::make_shared<Board>();
     m_running = true;
-    const auto ready = std::make_shared<Ready>(Ready{request, {}, m_gpu->info(), uploaded, m_stop.get_token(), m_board});
+    const auto ready =
+        std::make_shared<Ready>(Ready{request, {}, m_gpu->info(), uploaded, m_stop.get_token(), m_board, recorder});
     const auto build = [this, ready, structures = m_structures](const std::stop_token&) -> Background::Delivery {
         Progress progress;
         progress.stop = ready->stop;

@@ -9,6 +9,7 @@
 #include <stop_token>
 
 #include "core/base/message.h"
+#include "core/experiments/store/recorder.h"
 #include "core/measure/meter.h"
 #include "core/visibility/structure_store.h"
 #include "ui/jobs/background.h"
@@ -32,7 +33,9 @@ public:
     ~ExperimentRunner() override;
 
     /// `uploaded`: with the scene's meshes, uploaded as the request says; null, or otherwise: the experiment uploads them.
-    void start(const MeasureRequest& request, const SceneBuffersPointer& uploaded = {});
+    /// `recorder`: puts every pose into a store once it is measured; null: none does.
+    void start(const MeasureRequest& request, const SceneBuffersPointer& uploaded = {},
+               const std::shared_ptr<store::Recorder>& recorder = {});
     /// Requests the experiment to stop and emits `cancelled` at once. The frames measured so far arrive as `finished` when the
     /// current frame is done, unless another experiment was started in between.
     void cancel();
@@ -76,6 +79,7 @@ private:
         SceneBuffersPointer uploaded;
         std::stop_token stop;
         std::shared_ptr<Board> board;
+        std::shared_ptr<store::Recorder> recorder;
     };
 
     void measure(const std::shared_ptr<Ready>& ready);

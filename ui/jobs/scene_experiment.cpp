@@ -28,9 +28,10 @@ SceneExperiment::SceneExperiment(GpuThread* gpu, std::shared_ptr<StructureStore>
 }
 
 void SceneExperiment::start(const Experiment& experiment, const ScenePointer& scene, int repetitions,
-                            const SceneBuffersPointer& uploaded) {
+                            const SceneBuffersPointer& uploaded, const std::shared_ptr<store::Recorder>& recorder) {
     m_experiment = std::make_shared<const Experiment>(experiment);
     m_uploaded = uploaded;
+    m_recorder = recorder;
     // Nothing of an older run is told any more.
     if (std::exchange(m_due, nullptr)) m_runner.cancel();
     m_running = true;
@@ -80,7 +81,7 @@ void SceneExperiment::measure(const MeasureRequest& request, Due due, const std:
     if (stop.stop_requested()) return;
     m_result = {};
     m_due = std::move(due);
-    m_runner.start(request, m_uploaded);
+    m_runner.start(request, m_uploaded, m_recorder);
 }
 
 void SceneExperiment::end() {
@@ -88,6 +89,7 @@ void SceneExperiment::end() {
     m_runner.leaveStructures();
     // They have the scene, which may be closed before another run.
     m_uploaded = nullptr;
+    m_recorder = nullptr;
     emit ended();
 }
 

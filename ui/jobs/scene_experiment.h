@@ -19,10 +19,10 @@ public:
     /// As of ExperimentRunner.
     SceneExperiment(GpuThread* gpu, std::shared_ptr<StructureStore> structures, QObject* parent = nullptr);
 
-    /// Starts a run over the scene. `repetitions` of each frame; 0: until the median is steady. `uploaded`: as of
-    /// ExperimentRunner::start.
-    void start(const Experiment& experiment, const ScenePointer& scene, int repetitions,
-               const SceneBuffersPointer& uploaded = {});
+    /// Starts a run over the scene. `repetitions` of each frame; 0: until the median is steady. `uploaded` and
+    /// `recorder`: as of ExperimentRunner::start.
+    void start(const Experiment& experiment, const ScenePointer& scene, int repetitions, const SceneBuffersPointer& uploaded = {},
+               const std::shared_ptr<store::Recorder>& recorder = {});
     /// Emits `ended` at once. What was measured so far arrives as `measured` when the current frame is done, unless another run
     /// was started in between.
     void cancel();
@@ -49,6 +49,7 @@ private:
     ExperimentRunner m_runner;
     std::shared_ptr<const Experiment> m_experiment;  ///< the newest one
     SceneBuffersPointer m_uploaded;
+    std::shared_ptr<store::Recorder> m_recorder;
     bool m_running = false;
     Due m_due;                ///< the experiment's thread waits for it; null: for none
     MeasureResult m_result;   ///< the newest one

@@ -1,16 +1,43 @@
 #include "ui/statistics/history_model.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
+#include <iterator>
 
 #include "ui/statistics/run_figures.h"
 
 namespace cullscope::ui {
 
+QString pathAndSize(const std::string& path, const Viewport& size) {
+    //: A camera path and the size of the pictures.
+    return QCoreApplication::translate("cullscope::ui::StatisticsPanel", "%1 · %2 × %3")
+        .arg(QString::fromStdString(path).section(QLatin1Char('/'), -1))
+        .arg(size.width)
+        .arg(size.height);
+}
+
 void HistoryModel::setExperiments(std::vector<PastExperiment> experiments) {
+    m_all = std::move(experiments);
+    std::ranges::reverse(m_all);
+    show();
+}
+
+void HistoryModel::setFilter(const QString& text) {
+    m_filter = text.trimmed();
+    show();
+}
+
+bool HistoryModel::shown(const PastExperiment& experiment) const {
+    const auto has = [&](const QString& text) { return text.contains(m_filter, Qt::CaseInsensitive); };
+    return has(experiment.scene) || has(experiment.what) || has(experiment.when.toLocalTime().toString(Qt::ISODate)) ||
+           std::ranges::any_of(experiment.rows, [&](const ResultRow& row) { return has(row.name); });
+}
+
+void HistoryModel::show() {
     beginResetModel();
-    m_experiments = std::move(experiments);
-    std::ranges::reverse(m_experiments);
+    m_experiments.clear();
+    std::ranges::copy_if(m_all, std::back_inserter(m_experiments), [&](const PastExperiment& each) { return shown(each); });
     m_strategies.clear();
     for (const PastExperiment& experiment : m_experiments)
         for (const ResultRow& row : experiment.rows)

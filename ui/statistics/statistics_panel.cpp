@@ -45,9 +45,9 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       m_model(new ResultTableModel(this)),
       m_race(new QTableWidget(this)),
       m_historyPage(new QStackedWidget(this)),
-      m_pastTable(new QTableView(this)),
       m_historyEmpty(new QLabel(this)),
       m_history(new HistoryModel(this)),
+      m_past(new HistoryPanel(*m_history, this)),
       m_times(new TimeBar(this)),
       m_strip(new PoseStrip(this)),
       m_path(new PathPlot(this)),
@@ -154,36 +154,23 @@ void StatisticsPanel::setUpPlots() {
 }
 
 void StatisticsPanel::setUpHistory() {
-    m_pastTable->setModel(m_history);
-    m_pastTable->setFrameShape(QFrame::NoFrame);
-    m_pastTable->setAlternatingRowColors(true);
-    m_pastTable->setTabKeyNavigation(false);
-    m_pastTable->setTextElideMode(Qt::ElideNone);
-    m_pastTable->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_pastTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_pastTable->horizontalHeader()->setSectionsClickable(false);
-    m_pastTable->verticalHeader()->setSectionsClickable(false);
+    connect(m_past, &HistoryPanel::compareRequested, this, &StatisticsPanel::compareRequested);
+    connect(m_past, &HistoryPanel::exportRequested, this, &StatisticsPanel::pastExportRequested);
     m_historyEmpty->setAlignment(Qt::AlignCenter);
     m_historyEmpty->setWordWrap(true);
     m_historyEmpty->setAutoFillBackground(true);
     m_historyEmpty->setBackgroundRole(QPalette::Base);
     m_historyPage->addWidget(m_historyEmpty);
-    m_historyPage->addWidget(m_pastTable);
+    m_historyPage->addWidget(m_past);
     m_pages->addWidget(m_historyPage);
 }
 
 void StatisticsPanel::setHistory(std::vector<PastExperiment> experiments) {
-    m_historyPage->setCurrentWidget(experiments.empty() ? static_cast<QWidget*>(m_historyEmpty) : m_pastTable);
+    m_historyPage->setCurrentWidget(experiments.empty() ? static_cast<QWidget*>(m_historyEmpty) : m_past);
     m_history->setExperiments(std::move(experiments));
 }
 
-QString StatisticsPanel::pathAndSize(const MeasureRequest& request) {
-    //: A camera path and the size of the pictures.
-    return tr("%1 · %2 × %3")
-        .arg(QString::fromStdString(request.path.name).section(QLatin1Char('/'), -1))
-        .arg(request.size.width)
-        .arg(request.size.height);
-}
+QString StatisticsPanel::pathAndSize(const MeasureRequest& request) { return ui::pathAndSize(request.path.name, request.size); }
 
 std::array<PlotWidget*, 5> StatisticsPanel::plots() const { return {m_times, m_strip, m_path, m_pareto, m_sphere}; }
 
@@ -262,9 +249,9 @@ void StatisticsPanel::retranslate() {
     retranslateAxes();
     m_race->setAccessibleName(tr("Each strategy against each"));
     m_table->setAccessibleName(tr("Results"));
-    m_pastTable->setAccessibleName(tr("Experiments beside each other"));
     m_historyEmpty->setText(tr("Each experiment that ends appears here beside the others, also at later starts."));
     m_history->retranslate();
+    m_past->retranslate();
     m_software->setText(tr("software OpenGL"));
     m_software->setToolTip(tr("Software OpenGL: not the times of a graphics card"));
     m_export->setText(tr("Export"));

@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "ui/statistics/experiment_bar.h"
-#include "ui/statistics/history_model.h"
+#include "ui/statistics/history_panel.h"
 #include "ui/statistics/measure_command.h"
 #include "ui/statistics/result_table_model.h"
 
@@ -59,7 +59,7 @@ public:
     /// Sets a partial or complete result: the experiment's table (sweepExperiment), and the frames behind it. A result of another
     /// scene is ignored.
     void setResult(const ResultTable& table, const MeasureResult& result);
-    /// Sets the experiments that were measured since the program began, the newest last.
+    /// Sets the experiments of the store, the newest last.
     void setHistory(std::vector<PastExperiment> experiments);
     /// Begins or ends an experiment. While it runs its result replaces the metrics at the present camera.
     void setRunning(bool running);
@@ -74,6 +74,7 @@ public:
     [[nodiscard]] const std::optional<MeasureResult>& result() const { return m_result; }
     [[nodiscard]] ResultTableModel& model() { return *m_model; }
     [[nodiscard]] HistoryModel& history() { return *m_history; }
+    [[nodiscard]] HistoryPanel& past() { return *m_past; }
     /// "fibonacci:16 · 320 × 240": path and size of a measurement.
     [[nodiscard]] static QString pathAndSize(const MeasureRequest& request);
 
@@ -84,6 +85,9 @@ signals:
     /// The strategy of a point or of a row is to be shown in a view.
     void strategyChosen(const cullscope::StrategyRequest& strategy);
     void exported(const QString& path);
+    /// Of measurements of the store, by their numbers.
+    void compareRequested(qint64 a, qint64 b);
+    void pastExportRequested(const std::vector<qint64>& numbers, const QString& path);
     void failed(const cullscope::Message& message);
 
 protected:
@@ -134,9 +138,9 @@ private:
     ResultTableModel* m_model;
     QTableWidget* m_race;           ///< each strategy of the experiment against each
     QStackedWidget* m_historyPage;  ///< the experiments beside each other, or a hint while there are none
-    QTableView* m_pastTable;
     QLabel* m_historyEmpty;
     HistoryModel* m_history;
+    HistoryPanel* m_past;
     TimeBar* m_times;
     PoseStrip* m_strip;
     PathPlot* m_path;

@@ -1,31 +1,76 @@
 #include "ui/window/experiments.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "ui/statistics/history_file.h"
+#include "ui/statistics/comparison_dialog.h"
+#include "ui/statistics/history_store.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr size_t kMostRemembered = 50;  // experiments
+constexpr size_t kMostShown = 50;  // experiments; the store keeps all
 
 }  // namespace
 
 Experiments::Experiments(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_runner(new SceneExperiment(session.gpu(), session.structures(), this)) {
     wire();
-    m_history = kept();
+    readHistory();
 }
 
-std::vector<PastExperiment> Experiments::kept() {
+void Experiments::readHistory() {
     try {
-        return readHistory(historyFile());
+        std::error_code failure;  // where the folder cannot be made, opening says so
+        std::filesystem::create_directories(historyStore().parent_path(), failure);
+        const store::ResultStore opened(historyStore());
+        try {
+            takeOldHistory(historyStore().parent_path() / "experiments.json", opened);
+        } catch (const Error& other) {
+            m_session.raise(Severity::Warning, other.message());
+        }
+        m_history = pastExperiments(opened, kMostShown);
     } catch (const Error& failure) {
         m_session.raise(Severity::Warning, failure.message());
-        return {};
+    }
+    for (StatisticsPanel* panel : m_panels) panel->setHistory(m_history);
+}
+
+std::shared_ptr<store::Recorder> Experiments::recorder() {
+    try {
+        return std::make_shared<store::Recorder>(historyStore(), store::Origin{"desktop", {}});
+    } catch (const Error& failure) {
+        m_session.raise(Severity::Warning, failure.message());
+        return nullptr;
+    }
+}
+
+void Experiments::compare(qint64 a, qint64 b, QWidget* parent) {
+    try {
+        const store::ResultStore opened(historyStore());
+        ComparisonDialog(opened.read(a), opened.read(b), parent).exec();
+    } catch (const Error& failure) {
+        m_session.raise(Severity::Warning, failure.message());
+    }
+}
+
+void Experiments::exportPast(const std::vector<qint64>& numbers, const QString& path) {
+    try {
+        const store::ResultStore opened(historyStore());
+        std::vector<store::Stored> all;
+        for (const qint64 number : numbers) all.push_back(opened.read(number));
+        const bool csv = path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive);
+        const std::string text = csv               ? store::storedCsv(all)
+                                 : all.size() == 1 ? store::storedJson(all.front())
+                                                   : store::storedJson(all);
+        writeFileAtomically(path.toStdString(), [&](std::ostream& out) { out << text; });
+        m_session.tellSaved(path);
+    } catch (const Error& failure) {
+        m_session.raise(Severity::Error, failure.message());
     }
 }
 
@@ -58,6 +103,8 @@ StatisticsPanel* Experiments::makePanel(QWidget* parent) {
     connect(panel, &StatisticsPanel::strategyChosen, this, &Experiments::showStrategy);
     connect(panel, &StatisticsPanel::failed, this, [this](const Message& message) { m_session.raise(Severity::Error, message); });
     connect(panel, &StatisticsPanel::exported, this, [this](const QString& path) { m_session.tellSaved(path); });
+    connect(panel, &StatisticsPanel::compareRequested, this, [this, panel](qint64 a, qint64 b) { compare(a, b, panel); });
+    connect(panel, &StatisticsPanel::pastExportRequested, this, &Experiments::exportPast);
     panel->setSoftwareOpenGl(m_session.gpu() && m_session.gpu()->info().software);
     panel->setScenePicture([this] {
         const ViewPicturePointer shown = m_session.picture(m_session.activeView());
@@ -81,6 +128,8 @@ void Experiments::show(const ResultTable& table, const MeasureResult& result) {
     m_table = table;
     m_result = result;
     for (StatisticsPanel* panel : m_panels) panel->setResult(table, result);
+    // Of an experiment that was stopped the last pose arrives after its end.
+    if (!m_running) readHistory();
 }
 
 void Experiments::showScene(StatisticsPanel& panel) const {
@@ -111,7 +160,8 @@ void Experiments::start(const ExperimentSettings& settings) {
     m_running = true;
     m_result.reset();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(true);
-    m_runner->start(experiment, m_session.opened()->scene, settings.repetitions, m_session.buffers(setting.upload));
+    m_recorder = recorder();
+    m_runner->start(experiment, m_session.opened()->scene, settings.repetitions, m_session.buffers(setting.upload), m_recorder);
 }
 
 std::vector<StrategyRequest> Experiments::shownStrategies() const {
@@ -126,25 +176,10 @@ std::vector<StrategyRequest> Experiments::shownStrategies() const {
     return shown;
 }
 
-void Experiments::remember() {
-    if (!m_result || m_result->runs.empty() || m_result->runs.front().frames.empty()) return;
-    const QString scene = QString::fromStdString(m_result->request.scene->name());
-    // Another window may have added to it.
-    m_history = kept();
-    m_history.push_back(
-        {scene, StatisticsPanel::pathAndSize(m_result->request), QDateTime::currentDateTime(), resultRows(m_table)});
-    if (m_history.size() > kMostRemembered) m_history.erase(m_history.begin(), m_history.end() - std::ptrdiff_t(kMostRemembered));
-    try {
-        writeHistory(historyFile(), m_history);
-    } catch (const Error& failure) {
-        m_session.raise(Severity::Warning, failure.message());
-    }
-    for (StatisticsPanel* panel : m_panels) panel->setHistory(m_history);
-}
-
 void Experiments::end() {
     m_running = false;
-    remember();
+    readHistory();
+    if (m_recorder && m_recorder->failure()) m_session.raise(Severity::Warning, m_recorder->failure()->message());
     for (StatisticsPanel* panel : m_panels) panel->setRunning(false);
     m_session.setMeasuring(true);
 }

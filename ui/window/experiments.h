@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,10 +33,12 @@ private:
     /// The strategies of the shown views, each once.
     [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
-    /// Keeps the figures of what was measured, to be compared with later experiments, also at later starts.
-    void remember();
-    /// What is kept; what cannot be read is said once and begins anew.
-    [[nodiscard]] std::vector<PastExperiment> kept();
+    /// Reads the history anew from the store and shows it; what cannot be read is said.
+    void readHistory();
+    /// A recorder into the store; null where that cannot be opened, which is said.
+    [[nodiscard]] std::shared_ptr<store::Recorder> recorder();
+    void compare(qint64 a, qint64 b, QWidget* parent);
+    void exportPast(const std::vector<qint64>& numbers, const QString& path);
     void show(const ResultTable& table, const MeasureResult& result);
     void goToPose(int pose);
     void showLive(StatisticsPanel& panel) const;
@@ -45,9 +48,10 @@ private:
     SceneExperiment* m_runner;
     std::vector<StatisticsPanel*> m_panels;
     std::optional<CameraPath> m_recorded;
-    std::optional<MeasureResult> m_result;  ///< the newest one, partial or complete
-    ResultTable m_table;                    ///< of that result
-    std::vector<PastExperiment> m_history;  ///< the newest last; kept in a file
+    std::optional<MeasureResult> m_result;        ///< the newest one, partial or complete
+    ResultTable m_table;                          ///< of that result
+    std::vector<PastExperiment> m_history;        ///< of the store, the newest last
+    std::shared_ptr<store::Recorder> m_recorder;  ///< of the newest experiment
     bool m_running = false;
 };
 

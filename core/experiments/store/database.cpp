@@ -111,7 +111,9 @@ std::string Statement::text(int column) const {
 
 bool Statement::isNothing(int column) const { return sqlite3_column_type(m_handle.get(), column) == SQLITE_NULL; }
 
-Transaction::Transaction(const Database& database) : m_database(database) { m_database.run("BEGIN IMMEDIATE"); }
+Transaction::Transaction(const Database& database, Purpose purpose) : m_database(database) {
+    m_database.run(purpose == Purpose::Write ? "BEGIN IMMEDIATE" : "BEGIN");
+}
 
 Transaction::~Transaction() {
     if (!m_open) return;

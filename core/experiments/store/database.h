@@ -70,7 +70,9 @@ private:
 /// All or nothing: what was written is there from commit() on, and without it nothing of it. Other programs wait meanwhile.
 class Transaction {
 public:
-    explicit Transaction(const Database& database);
+    /// To read alone, what others commit meanwhile is not seen: all that is read is of one moment.
+    enum class Purpose { Write, Read };
+    explicit Transaction(const Database& database, Purpose purpose = Purpose::Write);
     ~Transaction();
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;

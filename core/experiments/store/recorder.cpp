@@ -5,6 +5,7 @@ namespace cullscope::store {
 Recorder::Recorder(const std::filesystem::path& file, Origin origin) : m_store(file), m_origin(std::move(origin)) {}
 
 void Recorder::afterPose(const Meter& meter) {
+    const std::lock_guard lock(m_mutex);
     if (m_failure) return;
     try {
         if (!m_current) m_current = m_store.begin(meter, m_origin);
@@ -16,6 +17,7 @@ void Recorder::afterPose(const Meter& meter) {
 }
 
 void Recorder::end(bool interrupted) {
+    const std::lock_guard lock(m_mutex);
     const std::optional<int64_t> ended = std::exchange(m_current, std::nullopt);
     if (m_failure || !ended) return;
     try {
@@ -23,6 +25,16 @@ void Recorder::end(bool interrupted) {
     } catch (const Error& error) {
         m_failure = error;
     }
+}
+
+std::optional<int64_t> Recorder::newest() const {
+    const std::lock_guard lock(m_mutex);
+    return m_newest;
+}
+
+std::optional<Error> Recorder::failure() const {
+    const std::lock_guard lock(m_mutex);
+    return m_failure;
 }
 
 MeasureResult measureInto(Recorder* recorder, const MeasureRequest& request, const Progress& progress, MeasuredScene* shared) {

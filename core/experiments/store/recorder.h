@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mutex>
 #include <optional>
 
 #include "core/base/error.h"
@@ -21,11 +22,12 @@ public:
     void end(bool interrupted);
 
     /// The newest measurement's number; none where nothing was committed.
-    [[nodiscard]] std::optional<int64_t> newest() const { return m_newest; }
+    [[nodiscard]] std::optional<int64_t> newest() const;
     /// Why what was measured is not in the store; none: it is.
-    [[nodiscard]] const std::optional<Error>& failure() const { return m_failure; }
+    [[nodiscard]] std::optional<Error> failure() const;
 
 private:
+    mutable std::mutex m_mutex;  ///< the desktop measures on one thread and asks on another
     ResultStore m_store;
     Origin m_origin;
     std::optional<int64_t> m_current, m_newest;

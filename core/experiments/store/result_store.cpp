@@ -68,6 +68,14 @@ void addFrame(const Database& database, int64_t run, bool ownRaster, const Resul
     insert.run();
 }
 
+std::string figuresText(const KeptFigures& kept) {
+    ResultFields figures{{"baseline", kept.baseline}};
+    if (kept.ratio) figures["ratio"] = kept.ratio->ratio;
+    if (kept.ratio && kept.ratio->hasInterval) figures["ratio_ci95"] = kept.ratio->ci95;
+    if (kept.missedPpm) figures["missed_ppm"] = *kept.missedPpm;
+    return compact(figures);
+}
+
 /// The numbers of a measurement's runs, by place.
 std::vector<int64_t> runNumbers(const Database& database, int64_t measurement) {
     Statement select(database, "SELECT number FROM run WHERE measurement = ? ORDER BY place");
@@ -213,8 +221,15 @@ void ResultStore::addPose(int64_t number, const Meter& meter) const {
 }
 
 void ResultStore::end(int64_t number, bool interrupted) const {
+    const Stored stored = read(number);
+    Transaction transaction(m_database);
+    for (size_t place = 0; place < stored.runs.size(); ++place) {
+        Statement keep(m_database, "UPDATE run SET figures = ? WHERE measurement = ? AND place = ?");
+        keep.bind(figuresText(figuresOf(stored.runs[place]))).bind(number).bind(int64_t(place) + 1).run();
+    }
     Statement update(m_database, "UPDATE measurement SET ended = ?, interrupted = ? WHERE number = ?");
     update.bind(timeText()).bind(int64_t(interrupted)).bind(number).run();
+    transaction.commit();
 }
 
 void ResultStore::remove(int64_t number) const {
@@ -247,12 +262,8 @@ void ResultStore::addOld(const std::vector<OldExperiment>& experiments) const {
         listed.size = experiment.size;
         const int64_t number = addMeasurement(m_database, listed);
         size_t place = 0;
-        for (const OldFigures& row : experiment.rows) {
-            ResultFields figures{{"baseline", row.baseline}};
-            if (row.ratio) figures["ratio"] = row.ratio->ratio;
-            if (row.ratio && row.ratio->hasInterval) figures["ratio_ci95"] = row.ratio->ci95;
-            if (row.missedPpm) figures["missed_ppm"] = *row.missedPpm;
-            (void)addRun(m_database, {number, ++place, row.strategy, true, false, "{}", compact(figures)});
+        for (const KeptFigures& row : experiment.rows) {
+            (void)addRun(m_database, {number, ++place, row.strategy, true, false, "{}", figuresText(row)});
         }
     }
     transaction.commit();

@@ -8,6 +8,7 @@
 #include "core/experiments/certify/certify.h"
 #include "core/experiments/result_file.h"
 #include "core/experiments/store/database.h"
+#include "core/image/line_plot.h"
 #include "core/measure/meter.h"
 
 namespace cullscope::store {
@@ -37,8 +38,9 @@ struct Listed {
     std::vector<std::string> strategies;  ///< strategyText of those that were asked for
 };
 
-/// Figures of an experiment without its frames, as the desktop's history had them before there was a store.
-struct OldFigures {
+/// The figures that a list of measurements shows of a run, kept when it ends: a list need not read all frames. Of an experiment
+/// that the desktop's history had before there was a store they are all that is left.
+struct KeptFigures {
     std::string strategy, baseline;
     std::optional<RatioEstimate> ratio;
     std::optional<double> missedPpm;
@@ -46,18 +48,18 @@ struct OldFigures {
 struct OldExperiment {
     std::string started, scene, path;
     Viewport size{};
-    std::vector<OldFigures> rows;
+    std::vector<KeptFigures> rows;
 };
 
 /// A run with its frames.
 struct StoredRun {
-    std::string strategy;             ///< strategyText
-    RunMeasurement run;               ///< what ratios, losses and summaries need of it
-    bool askedFor = true;             ///< false: a baseline that was measured only for the ratios
-    bool isLimit = false;             ///< MeasureResult::limit
-    std::string head;                 ///< its fields as JSON
-    std::vector<std::string> frames;  ///< likewise, by pose
-    std::optional<OldFigures> old{};  ///< of an experiment of an older program: all that was kept of it
+    std::string strategy;              ///< strategyText
+    RunMeasurement run;                ///< what ratios, losses and summaries need of it
+    bool askedFor = true;              ///< false: a baseline that was measured only for the ratios
+    bool isLimit = false;              ///< MeasureResult::limit
+    std::string head;                  ///< its fields as JSON
+    std::vector<std::string> frames;   ///< likewise, by pose
+    std::optional<KeptFigures> old{};  ///< of an experiment of an older program: all that is left of it
 };
 
 struct Stored {
@@ -96,6 +98,8 @@ public:
     [[nodiscard]] std::vector<Listed> list(const Filter& filter = {}) const;
     /// Throws Error(Usage) where there is no measurement of that number.
     [[nodiscard]] Stored read(int64_t number) const;
+    /// The kept figures of a measurement's strategies that were asked for; of one that has no end they are computed.
+    [[nodiscard]] std::vector<KeptFigures> figures(int64_t number) const;
     void remove(int64_t number) const;
 
     /// Adds a measurement without frames and returns its number; a pose's frames, all of them or none; and its end.
@@ -120,6 +124,9 @@ private:
     Database m_database;
 };
 
+/// Of a run with its summary.
+[[nodiscard]] KeptFigures figuresOf(const StoredRun& run);
+
 /// The time now as the store has it.
 [[nodiscard]] std::string timeText();
 
@@ -130,6 +137,8 @@ private:
 [[nodiscard]] std::string storedJson(const Stored& stored);
 /// Several: their result files as an array of `measurements`, with their numbers.
 [[nodiscard]] std::string storedJson(const std::vector<Stored>& stored);
+/// The time of a frame by pose, a line for each strategy.
+[[nodiscard]] LinePlot framePlot(const Stored& stored);
 /// One row a frame. Of several measurements each row begins with the measurement's number.
 [[nodiscard]] std::string storedCsv(const std::vector<Stored>& stored);
 

@@ -47,6 +47,23 @@ std::string storedJson(const std::vector<Stored>& stored) {
     return fieldsText(all);
 }
 
+LinePlot framePlot(const Stored& stored) {
+    LinePlot plot;
+    plot.title = std::to_string(stored.listed.number) + ": " + stored.listed.scene + ", " + stored.listed.path;
+    plot.x.title = CULLSCOPE_TR("pose");
+    plot.x.whole = true;
+    plot.y.title = CULLSCOPE_TR("frame, ms");
+    plot.y.zero = true;
+    for (const StoredRun& run : stored.runs) {
+        if (run.frames.empty() || !(run.askedFor || run.isLimit)) continue;
+        PlotLine line;
+        line.name = run.strategy;
+        for (const FrameMeasurement& frame : run.run.frames) line.points.push_back({double(frame.pose), frame.frameMilliseconds});
+        plot.lines.push_back(std::move(line));
+    }
+    return plot;
+}
+
 std::string storedCsv(const std::vector<Stored>& stored) {
     std::vector<FieldsOfRun> runs;
     for (const Stored& each : stored)

@@ -52,16 +52,34 @@ bool shown(const Listed& listed, const Filter& filter) {
     return filter.until.empty() || listed.started.substr(0, filter.until.size()) <= filter.until;
 }
 
+/// A number that no measurement gives.
+struct Damaged {};
+
+/// Milliseconds, with which ratios can be computed.
+double time(double milliseconds, double least) {
+    constexpr double kMost = 1e12;
+    if (!(milliseconds >= least && milliseconds < kMost)) throw Damaged{};
+    return milliseconds;
+}
+
+std::vector<double> times(const std::string& text, double least) {
+    std::vector<double> all = ResultFields::parse(text).get<std::vector<double>>();
+    for (const double milliseconds : all) (void)time(milliseconds, least);
+    return all;
+}
+
+constexpr double kLeastFrame = 1e-9;  // milliseconds
+
 /// What ratios, losses and summaries need of a frame.
 FrameMeasurement frameOf(const ResultFields& fields, bool ownRaster, const std::string& frameTimes,
                          const std::string& cullTimes) {
     FrameMeasurement frame;
     frame.pose = fields.at("pose").get<size_t>();
-    frame.frameMilliseconds = fields.at("frame_ms").get<double>();
-    frame.cullMilliseconds = fields.at("cull_ms").get<double>();
+    frame.frameMilliseconds = time(fields.at("frame_ms").get<double>(), kLeastFrame);
+    frame.cullMilliseconds = time(fields.at("cull_ms").get<double>(), 0.0);
     frame.repetitions = fields.at("repetitions").get<int>();
-    frame.frameTimes = ResultFields::parse(frameTimes).get<std::vector<double>>();
-    frame.cullTimes = ResultFields::parse(cullTimes).get<std::vector<double>>();
+    frame.frameTimes = times(frameTimes, kLeastFrame);
+    frame.cullTimes = times(cullTimes, 0.0);
     frame.submitted.triangles = fields.at("submitted_triangles").get<uint64_t>();
     frame.consideredTriangles = fields.at("considered_triangles").get<uint64_t>();
     frame.ownRaster = ownRaster;
@@ -105,9 +123,9 @@ void readHead(StoredRun& stored) {
     run.structure.bytes = head.at("structure_bytes").get<uint64_t>();
 }
 
-OldFigures oldFrom(const std::string& strategy, const std::string& text) {
+KeptFigures figuresFrom(const std::string& strategy, const std::string& text) {
     const ResultFields json = ResultFields::parse(text);
-    OldFigures old;
+    KeptFigures old;
     old.strategy = strategy;
     old.baseline = json.at("baseline").get<std::string>();
     if (json.contains("ratio")) {
@@ -157,6 +175,7 @@ StrategyRequest strategyOfHead(const std::string& head) {
 }
 
 std::vector<Listed> ResultStore::list(const Filter& filter) const {
+    const Transaction reading(m_database, Transaction::Purpose::Read);
     std::vector<Listed> all;
     Statement select(m_database, (std::string("SELECT ") + kColumns + " FROM measurement ORDER BY started, number").c_str());
     while (select.next()) {
@@ -170,6 +189,7 @@ std::vector<Listed> ResultStore::list(const Filter& filter) const {
 }
 
 Stored ResultStore::read(int64_t number) const {
+    const Transaction reading(m_database, Transaction::Purpose::Read);
     Stored stored;
     {
         Statement select(m_database, (std::string("SELECT ") + kColumns + " FROM measurement WHERE number = ?").c_str());
@@ -190,17 +210,50 @@ Stored ResultStore::read(int64_t number) const {
             run.askedFor = select.number(2) != 0;
             run.isLimit = select.number(3) != 0;
             run.head = select.text(4);
-            if (!select.isNothing(5)) run.old = oldFrom(run.strategy, select.text(5));
             readHead(run);
             readFrames(m_database, select.number(0), run);
+            if (!select.isNothing(5) && run.frames.empty()) run.old = figuresFrom(run.strategy, select.text(5));
             if (run.askedFor) stored.listed.strategies.push_back(run.strategy);
             stored.runs.push_back(std::move(run));
         }
     } catch (const ResultFields::exception&) {
         m_database.refuse();
+    } catch (const Damaged&) {
+        m_database.refuse();
     }
     summarize(stored);
     return stored;
+}
+
+KeptFigures figuresOf(const StoredRun& run) {
+    KeptFigures figures{run.strategy, strategyText(run.run.ownRule), {}, {}};
+    if (run.run.summary.ratioToOwnRule.ratio > 0.0) figures.ratio = run.run.summary.ratioToOwnRule;
+    constexpr double kMillion = 1e6;
+    if (const std::optional<Losses> losses = run.run.losses(); losses && losses->coveredPixels > 0)
+        figures.missedPpm = kMillion * double(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels) /
+                            double(losses->coveredPixels);
+    return figures;
+}
+
+std::vector<KeptFigures> ResultStore::figures(int64_t number) const {
+    std::vector<KeptFigures> all;
+    try {
+        Statement select(m_database, "SELECT strategy, figures FROM run WHERE measurement = ? AND asked_for ORDER BY place");
+        select.bind(number);
+        while (select.next()) {
+            if (select.isNothing(1)) {
+                all.clear();
+                break;
+            }
+            all.push_back(figuresFrom(select.text(0), select.text(1)));
+        }
+    } catch (const ResultFields::exception&) {
+        m_database.refuse();
+    }
+    if (!all.empty()) return all;
+    for (const StoredRun& run : read(number).runs)
+        if (run.askedFor) all.push_back(run.old ? *run.old : figuresOf(run));
+    return all;
 }
 
 std::vector<StoredCertificate> ResultStore::certificates() const {
