@@ -12,13 +12,13 @@ struct Conclusion {
     Q_DECLARE_TR_FUNCTIONS(cullscope::ui::Conclusion)
 };
 
-QString ratio(double value) { return QLocale().toString(value, 'f', 2); }
+QString ratioInWords(double value) { return QLocale().toString(value, 'f', 2); }
 
 /// "×1.43 (95 %: 1.40 to 1.46)"; without the interval where there is none.
 QString speedOf(const RatioEstimate& speed) {
-    if (!speed.hasInterval) return QStringLiteral("×%1").arg(ratio(speed.ratio));
+    if (!speed.hasInterval) return QStringLiteral("×%1").arg(ratioInWords(speed.ratio));
     return Conclusion::tr("×%1 (95 %: %2 to %3)", "a ratio of times and its interval")
-        .arg(ratio(speed.ratio), ratio(speed.ci95[0]), ratio(speed.ci95[1]));
+        .arg(ratioInWords(speed.ratio), ratioInWords(speed.ci95[0]), ratioInWords(speed.ci95[1]));
 }
 
 bool surelyFaster(const RatioEstimate& speed) { return (speed.hasInterval ? speed.ci95[0] : speed.ratio) > 1.0; }
