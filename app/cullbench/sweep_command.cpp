@@ -93,7 +93,7 @@ void write(const SweepOptions& options, const std::vector<ResultTable>& tables, 
     drawn.front().plots = {std::move(plot)};
     std::optional<Error> failure;
     try {
-        writeTables({{}, {}, options.files.svg, {}}, drawn);
+        writeTables({{}, {}, options.files.svg, options.files.png}, drawn);
     } catch (const Error& error) {
         failure = error;
     }
@@ -146,6 +146,7 @@ void addSweepCommand(CLI::App& app, Context& context) {
     command->add_option("--csv", options->files.csv, "result file with one row a value; - is standard output");
     command->add_option("--svg", options->files.svg,
                         "the plot of losses against speed, or of --y against --x; - is standard output");
+    command->add_option("--png", options->files.png, "the same plot as a picture");
     command->add_option("--x", options->across, "figure across in the plot, by its name in the files")->capture_default_str();
     command->add_option("--y", options->up, "figure upwards in the plot, by its name in the files")->capture_default_str();
     addStoreOption(*command, options->store);

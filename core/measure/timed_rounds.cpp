@@ -84,14 +84,4 @@ bool TimedRounds::enough() const {
         m_entrants, [&](const TimedFrames& entrant) { return entrant.dropped || steady(entrant.frameMilliseconds, m_protocol); });
 }
 
-TimedFrames timedOnce(Renderer& renderer, TimedFrames frame, Framebuffer& target, const std::stop_token& stop) {
-    std::vector<TimedFrames> one;
-    one.push_back(std::move(frame));
-    TimedRounds rounds(std::move(one), {.warmUp = 0, .fixedRepetitions = 1});
-    while (!rounds.complete())
-        rounds.step(
-            renderer, [&](const Viewport&, size_t) -> Framebuffer& { return target; }, stop);
-    return std::move(rounds.entrants().front());
-}
-
 }  // namespace cullscope

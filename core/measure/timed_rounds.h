@@ -83,7 +83,4 @@ private:
     bool m_complete = false;
 };
 
-/// One frame of one picture by that protocol, without a warm-up: of searches that draw many views or many strategies once each.
-[[nodiscard]] TimedFrames timedOnce(Renderer& renderer, TimedFrames frame, Framebuffer& target, const std::stop_token& stop = {});
-
 }  // namespace cullscope

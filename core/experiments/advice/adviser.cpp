@@ -65,6 +65,8 @@ private:
         entrant.judged.resize(m_race.poses());
         if (variantOfASlowOne(entrant))
             entrant.figures.standing = Standing::FarBehind;
+        else if (otherStructureOfALossyOne(entrant))
+            entrant.figures.standing = Standing::Loses;
         else if (build(entrant) && !valueThatMayNotBeChosen(entrant))
             probe(entrant);
         // The next value of its parameters may need the same structure.
@@ -79,6 +81,16 @@ private:
         if (first == m_entrants.end() || entrant.figures.everything) return false;
         if (first->figures.standing == Standing::Refused) return true;
         return first->figures.standing == Standing::FarBehind && sumOf(first->probes) > kFarOfVariants * bestProbes();
+    }
+
+    /// A value for which another structure would be built, of a strategy that promises nothing at its default: it may not be
+    /// chosen where only what loses nothing will do, and is not worth building.
+    [[nodiscard]] bool otherStructureOfALossyOne(const Entrant& entrant) const {
+        const auto first = std::ranges::find(m_entrants, entrant.figures.strategy.id,
+                                             [](const Entrant& other) { return other.figures.strategy.id; });
+        return first != m_entrants.end() && m_request.maxMissed <= 0.0 && first->figures.promise == Promise::Approximate &&
+               first->figures.standing == Standing::Loses &&
+               first->figures.strategy.parameters.buildText() != entrant.figures.strategy.parameters.buildText();
     }
 
     /// Another value of a parameter, with which the strategy promises nothing, where only what loses nothing will do: the default

@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "core/base/error.h"
-#include "core/measure/timed_rounds.h"
 
 namespace cullscope::advice {
 
@@ -20,28 +19,15 @@ Deadline::Deadline(double seconds, const std::stop_token& whole)
       }) {}
 
 Race::Race(const AdviseRequest& request, const Progress& progress)
-    : m_request(request),
-      m_progress(progress),
-      m_gl(requireOpenGl45()),
-      m_buffers(std::make_shared<const SceneBuffers>(request.scene, request.upload)),
-      m_target(request.size) {}
+    : m_request(request), m_progress(progress), m_gl(requireOpenGl45()), m_frames(request.scene, request.upload, request.size) {}
 
 std::optional<double> Race::draw(Entrant& entrant, size_t pose, double seconds) {
     const Deadline deadline(seconds, m_progress.stop);
-    std::vector<ViewStatePointer> memory;
-    memory.push_back(entrant.built->begin());
     try {
-        double milliseconds = 0.0;
-        const size_t before = entrant.built->info().remembers && pose > 0 ? 1 : 0;
-        for (size_t back = before + 1; back-- > 0;) {
-            TimedFrames frame{m_buffers.get(), entrant.built, viewOf(pose - back), std::move(memory)};
-            frame = timedOnce(m_renderer, std::move(frame), m_target, deadline.token());
-            milliseconds = frame.frameMilliseconds.front();
-            m_log = std::move(frame.log);
-            memory = frame.takeMemories();
-            ++m_frames;
-        }
-        return milliseconds;
+        const std::optional<View> before = pose > 0 ? std::optional(viewOf(pose - 1)) : std::nullopt;
+        SingleFrames::Frame frame = m_frames.draw(*entrant.built, viewOf(pose), before ? &*before : nullptr, deadline.token());
+        m_log = std::move(frame.log);
+        return frame.milliseconds;
     } catch (const Error& error) {
         m_progress.check();
         entrant.racing = entrant.eligible = false;
@@ -57,10 +43,7 @@ std::optional<double> Race::draw(Entrant& entrant, size_t pose, double seconds) 
 
 void Race::judge(Entrant& entrant, size_t pose) {
     if (entrant.judged[pose]) return;
-    if (pose != m_shownPose) m_references.clear();
-    m_shownPose = pose;
-    const auto truth = m_references.of(m_renderer, *m_buffers, viewOf(pose), entrant.built->referenceFacing());
-    const JudgedFrame judged = cullscope::judge(m_renderer, *m_buffers, m_log, *truth, m_target);
+    const JudgedFrame judged = m_frames.judge(*entrant.built, m_log);
     entrant.judged[pose] = true;
     AdvisedStrategy& figures = entrant.figures;
     ++figures.judgedViews;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/experiments/advice/adviser.h"
+#include "core/measure/single_frames.h"
 
 namespace cullscope::advice {
 
@@ -51,20 +52,15 @@ public:
     void judge(Entrant& entrant, size_t pose);
     [[nodiscard]] View viewOf(size_t pose) const { return {m_request.path.camera(pose), m_request.size}; }
     [[nodiscard]] size_t poses() const { return m_request.path.poses.size(); }
-    [[nodiscard]] size_t frames() const { return m_frames; }
+    [[nodiscard]] size_t frames() const { return m_frames.drawn(); }
     [[nodiscard]] const GlInfo& gl() const { return m_gl; }
 
 private:
     const AdviseRequest& m_request;
     const Progress& m_progress;
     GlInfo m_gl;
-    std::shared_ptr<const SceneBuffers> m_buffers;
-    Renderer m_renderer;
-    Framebuffer m_target;
-    References m_references;
-    size_t m_shownPose = 0;  ///< of the references
-    FrameLog m_log;          ///< of the frame drawn last
-    size_t m_frames = 0;
+    SingleFrames m_frames;
+    FrameLog m_log;  ///< of the frame drawn last
 };
 
 /// The numbers below n in an order in which the first ones of any length lie evenly among all.

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/measure/timed_rounds.h"
+#include "core/measure/single_frames.h"
 #include "core/scene/tour.h"
 
 namespace cullscope::worst {
@@ -30,7 +30,7 @@ Vec3 directionAt(const Scene& scene, double azimuth, double elevation) {
 class Search {
 public:
     Search(const WorstRequest& request, const Progress& progress)
-        : m_request(request), m_progress(progress), m_buffers(request.scene, Upload::Vbo), m_target(request.size) {
+        : m_request(request), m_progress(progress), m_frames(request.scene, Upload::Vbo, request.size) {
         m_result.request = request;
         m_result.gl = requireOpenGl45();
         requireAvailable(strategyOf(request.strategy).info, m_result.gl);
@@ -145,37 +145,30 @@ private:
     void measure(TriedView& tried) {
         const View view(cameraOf(tried.pose), m_request.size);
         if (m_request.of == Of::Ratio) {
-            std::vector<TimedFrames> both;
-            both.push_back(frameOf(m_built, view));
-            both.push_back(frameOf(m_baseline, view));
-            TimedRounds rounds(std::move(both), {.fixedRepetitions = m_request.repetitions});
-            while (!rounds.complete())
-                rounds.step(
-                    m_renderer, [this](const Viewport&, size_t) -> Framebuffer& { return m_target; }, m_progress.stop);
-            const std::vector<TimedFrames>& timed = rounds.entrants();
-            tried.value = quantile(timed[1].frameMilliseconds, 0.5) / quantile(timed[0].frameMilliseconds, 0.5);
+            std::vector<double> own, baseline;
+            for (int turn = -1; turn < m_request.repetitions; ++turn)
+                for (const bool first : {turn % 2 == 0, turn % 2 != 0}) {
+                    const double time = draw(first ? *m_built : *m_baseline, view).milliseconds;
+                    if (turn >= 0) (first ? own : baseline).push_back(time);
+                }
+            tried.value = quantile(baseline, 0.5) / quantile(own, 0.5);
             return;
         }
-        const FrameLog log = timedOnce(m_renderer, frameOf(m_built, view), m_target, m_progress.stop).log;
-        const Reference truth = itemBufferReference(m_renderer, m_buffers, view, m_built->referenceFacing());
-        const JudgedFrame judged = judge(m_renderer, m_buffers, log, truth, m_target);
+        const FrameLog log = draw(*m_built, view).log;
+        const JudgedFrame judged = m_frames.judge(*m_built, log);
         tried.lostPixels = judged.lostPixels();
         tried.coveredPixels = judged.accuracy.coveredPixels;
         tried.value = tried.coveredPixels == 0 ? 0.0 : double(tried.lostPixels) / double(tried.coveredPixels);
     }
 
-    /// Without a past: the worst view must be found again by itself.
-    [[nodiscard]] TimedFrames frameOf(const BuiltStrategyPointer& strategy, const View& view) const {
-        TimedFrames frame{&m_buffers, strategy, view, {}};
-        frame.memories.push_back(strategy->begin());
-        return frame;
+    // Without a past: the worst view must be found again by itself.
+    SingleFrames::Frame draw(const BuiltStrategy& strategy, const View& view) {
+        return m_frames.draw(strategy, view, nullptr, m_progress.stop);
     }
 
     const WorstRequest& m_request;
     const Progress& m_progress;
-    SceneBuffers m_buffers;
-    Renderer m_renderer;
-    Framebuffer m_target;
+    SingleFrames m_frames;
     StructureStore m_structures;
     BuiltStrategyPointer m_built, m_baseline;
     std::vector<Vec3> m_places;

@@ -21,7 +21,8 @@ constexpr double kPlaceSize = 16.0;  // pixels
 
 std::string shown(const WorstResult& result, double value) {
     if (result.request.of == Of::Ratio) return fmt::format("{:.2f}", value);
-    return value == 0.0 ? std::string("0") : fmt::format("{:.1f}", 1e6 * value);
+    const double perMillion = 1e6 * value;
+    return value == 0.0 ? std::string("0") : fmt::format("{:.{}f}", perMillion, perMillion < 100.0 ? 1 : 0);
 }
 
 PlotColour colourAt(size_t step) {
@@ -69,12 +70,8 @@ void addDirections(LinePlot& plot, const WorstResult& result, const Steps& steps
         plot.bars.push_back(std::move(bars));
     }
     const TriedView& worst = result.views[result.worst];
-    plot.marks.push_back({CULLSCOPE_TR("the worst view"),
-                          {worst.azimuth(), worst.elevation()},
-                          PlotShape::Disc,
-                          {0xFFE7120E, 2.5},
-                          0,
-                          shown(result, worst.value)});
+    plot.marks.push_back(
+        {CULLSCOPE_TR("the worst view"), {worst.azimuth(), worst.elevation()}, PlotShape::Disc, {0xFFE7120E, 2.5}, 0});
 }
 
 void addPlaces(LinePlot& plot, const WorstResult& result, const Steps& steps) {

@@ -59,8 +59,10 @@ TEST(TradePlot, frontsHoldWhatNothingSurpassesWithAndWithoutLoss) {
     EXPECT_THAT(paretoFront(points, speed(), loss(), false), ElementsAre(2, 4, 6));
     const TradePlot plot(points, speed(), loss());
     EXPECT_EQ(plot.points().size(), 7u) << "what was not judged has no place";
-    const std::vector<PlotLine> lines = plot.plot({}).lines;
-    EXPECT_EQ(std::ranges::count(lines, std::string("front: something lost"), &PlotLine::name), 1);
+    const LinePlot drawn = plot.plot({});
+    const auto front = std::ranges::find(drawn.lines, std::string("front: something lost"), &PlotLine::name);
+    ASSERT_NE(front, drawn.lines.end());
+    EXPECT_EQ(front->points.size(), 5u) << "three points with a corner between each two";
 }
 
 TEST(TradePlot, everyMeasuredFigureMayBeAnAxisByItsNameInFiles) {
