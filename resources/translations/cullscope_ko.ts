@@ -6407,75 +6407,75 @@
     </message>
     <message>
         <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 해당하는 측정이 없습니다. 3처럼 번호로, 또는 3:frustum처럼 번호와 전략으로 지정하십시오.</translation>
     </message>
     <message>
         <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 %1 및 %2의 비교 불가: %3 다름.</translation>
     </message>
     <message>
         <source>scenes</source>
-        <translation type="unfinished"></translation>
+        <translation>장면</translation>
     </message>
     <message>
         <source>camera paths</source>
-        <translation type="unfinished"></translation>
+        <translation>카메라 경로</translation>
     </message>
     <message>
         <source>picture sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>그림 크기</translation>
     </message>
     <message>
         <source>Measurement %1 has no run of %2. It has: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 %1에는 %2의 결과가 없습니다. 있는 전략: %3.</translation>
     </message>
     <message>
         <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
-        <translation type="unfinished"></translation>
+        <translation>측정 %1 및 %2의 비교 불가: 공통된 전략이나 자세가 없습니다.</translation>
     </message>
     <message>
         <source>B has %1 times the speed of A; of single frames there is no interval</source>
-        <translation type="unfinished"></translation>
+        <translation>B의 속도는 A의 %1배이며, 프레임이 하나뿐이라 구간이 없습니다</translation>
     </message>
     <message>
         <source>B is faster: %1 times the speed of A</source>
-        <translation type="unfinished"></translation>
+        <translation>B가 더 빠름: A 속도의 %1배</translation>
     </message>
     <message>
         <source>B is slower: %1 times the speed of A</source>
-        <translation type="unfinished"></translation>
+        <translation>B가 더 느림: A 속도의 %1배</translation>
     </message>
     <message>
         <source>no difference that this measurement tells: B has %1 times the speed of A</source>
-        <translation type="unfinished"></translation>
+        <translation>이 측정으로는 차이를 알 수 없음: B의 속도는 A의 %1배</translation>
     </message>
     <message>
         <source>%1 is no result store, or is damaged: name another file with --store.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일은 결과 저장소가 아니거나 손상되었습니다. --store로 다른 파일을 지정하십시오.</translation>
     </message>
     <message>
         <source>%1 is in use: another program has been writing to it for half a minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일이 사용 중입니다. 다른 프로그램이 30초째 쓰고 있습니다.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. What was stored before is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일에 쓸 수 없습니다: %2. 이미 저장된 것은 그대로 있습니다.</translation>
     </message>
     <message>
         <source>The result store %1 cannot be opened: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>결과 저장소 %1 파일을 열 수 없습니다: %2.</translation>
     </message>
     <message>
         <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일은 더 새로운 버전의 Cullscope로 기록되었습니다(구조 %2, 이 버전은 %3까지). 그 버전을 사용하십시오.</translation>
     </message>
     <message>
         <source>%1 is no result file of cullbench measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일은 cullbench measure의 결과 파일이 아닙니다.</translation>
     </message>
     <message>
         <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 파일에 측정 %2이(가) 없습니다. cullbench store %1 list로 목록을 보십시오.</translation>
     </message>
     <message>
         <source>Speed against a baseline that draws the same sides</source>
@@ -6654,80 +6654,8 @@
         <translation>%1 파일은 실험 기록이 아니므로 무시합니다.</translation>
     </message>
     <message>
-        <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
-        <translation>%1에 해당하는 측정이 없습니다. 3처럼 번호로, 또는 3:frustum처럼 번호와 전략으로 지정하십시오.</translation>
-    </message>
-    <message>
-        <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
-        <translation>측정 %1 및 %2의 비교 불가: %3 다름.</translation>
-    </message>
-    <message>
-        <source>scenes</source>
-        <translation>장면</translation>
-    </message>
-    <message>
-        <source>camera paths</source>
-        <translation>카메라 경로</translation>
-    </message>
-    <message>
-        <source>picture sizes</source>
-        <translation>그림 크기</translation>
-    </message>
-    <message>
-        <source>Measurement %1 has no run of %2. It has: %3.</source>
-        <translation>측정 %1에는 %2의 결과가 없습니다. 있는 전략: %3.</translation>
-    </message>
-    <message>
-        <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
-        <translation>측정 %1 및 %2의 비교 불가: 공통된 전략이나 자세가 없습니다.</translation>
-    </message>
-    <message>
-        <source>B has %1 times the speed of A; of single frames there is no interval</source>
-        <translation>B의 속도는 A의 %1배이며, 프레임이 하나뿐이라 구간이 없습니다</translation>
-    </message>
-    <message>
-        <source>B is faster: %1 times the speed of A</source>
-        <translation>B가 더 빠름: A 속도의 %1배</translation>
-    </message>
-    <message>
-        <source>B is slower: %1 times the speed of A</source>
-        <translation>B가 더 느림: A 속도의 %1배</translation>
-    </message>
-    <message>
-        <source>no difference that this measurement tells: B has %1 times the speed of A</source>
-        <translation>이 측정으로는 차이를 알 수 없음: B의 속도는 A의 %1배</translation>
-    </message>
-    <message>
-        <source>%1 is no result store, or is damaged: name another file with --store.</source>
-        <translation>%1 파일은 결과 저장소가 아니거나 손상되었습니다. --store로 다른 파일을 지정하십시오.</translation>
-    </message>
-    <message>
-        <source>%1 is in use: another program has been writing to it for half a minute.</source>
-        <translation>%1 파일이 사용 중입니다. 다른 프로그램이 30초째 쓰고 있습니다.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. What was stored before is there.</source>
-        <translation>%1 파일에 쓸 수 없습니다: %2. 이미 저장된 것은 그대로 있습니다.</translation>
-    </message>
-    <message>
-        <source>The result store %1 cannot be opened: %2.</source>
-        <translation>결과 저장소 %1 파일을 열 수 없습니다: %2.</translation>
-    </message>
-    <message>
-        <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
-        <translation>%1 파일은 더 새로운 버전의 Cullscope로 기록되었습니다(구조 %2, 이 버전은 %3까지). 그 버전을 사용하십시오.</translation>
-    </message>
-    <message>
-        <source>%1 is no result file of cullbench measure.</source>
-        <translation>%1 파일은 cullbench measure의 결과 파일이 아닙니다.</translation>
-    </message>
-    <message>
         <source>pose</source>
         <translation>자세</translation>
-    </message>
-    <message>
-        <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
-        <translation>%1 파일에 측정 %2이(가) 없습니다. cullbench store %1 list로 목록을 보십시오.</translation>
     </message>
 </context>
 <context>

@@ -6407,75 +6407,75 @@
     </message>
     <message>
         <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是测量：请用编号（如 3）或编号加策略（如 3:frustum）指定。</translation>
     </message>
     <message>
         <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法比较测量 %1 和 %2：二者的%3不同。</translation>
     </message>
     <message>
         <source>scenes</source>
-        <translation type="unfinished"></translation>
+        <translation>场景</translation>
     </message>
     <message>
         <source>camera paths</source>
-        <translation type="unfinished"></translation>
+        <translation>相机路径</translation>
     </message>
     <message>
         <source>picture sizes</source>
-        <translation type="unfinished"></translation>
+        <translation>图像尺寸</translation>
     </message>
     <message>
         <source>Measurement %1 has no run of %2. It has: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>测量 %1 中没有 %2。其中有：%3。</translation>
     </message>
     <message>
         <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法比较测量 %1 和 %2：没有共同的策略或视点。</translation>
     </message>
     <message>
         <source>B has %1 times the speed of A; of single frames there is no interval</source>
-        <translation type="unfinished"></translation>
+        <translation>B 的速度是 A 的 %1 倍；只有单帧，没有置信区间</translation>
     </message>
     <message>
         <source>B is faster: %1 times the speed of A</source>
-        <translation type="unfinished"></translation>
+        <translation>B 更快：速度是 A 的 %1 倍</translation>
     </message>
     <message>
         <source>B is slower: %1 times the speed of A</source>
-        <translation type="unfinished"></translation>
+        <translation>B 更慢：速度是 A 的 %1 倍</translation>
     </message>
     <message>
         <source>no difference that this measurement tells: B has %1 times the speed of A</source>
-        <translation type="unfinished"></translation>
+        <translation>此次测量看不出差别：B 的速度是 A 的 %1 倍</translation>
     </message>
     <message>
         <source>%1 is no result store, or is damaged: name another file with --store.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是结果库，或已损坏：请用 --store 指定另一个文件。</translation>
     </message>
     <message>
         <source>%1 is in use: another program has been writing to it for half a minute.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 正在使用中：另一个程序已写入半分钟。</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2. What was stored before is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法写入 %1：%2。此前存入的内容仍在。</translation>
     </message>
     <message>
         <source>The result store %1 cannot be opened: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法打开结果库 %1：%2。</translation>
     </message>
     <message>
         <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 由更新版本的 Cullscope 写入（布局 %2，本版本只支持到 %3）：请使用那个版本。</translation>
     </message>
     <message>
         <source>%1 is no result file of cullbench measure.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不是 cullbench measure 的结果文件。</translation>
     </message>
     <message>
         <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中没有测量 %2：用 cullbench store %1 list 列出。</translation>
     </message>
     <message>
         <source>Speed against a baseline that draws the same sides</source>
@@ -6654,80 +6654,8 @@
         <translation>%1 不是实验记录，已跳过。</translation>
     </message>
     <message>
-        <source>%1 names no measurement: say its number as in 3, or number and strategy as in 3:frustum.</source>
-        <translation>%1 不是测量：请用编号（如 3）或编号加策略（如 3:frustum）指定。</translation>
-    </message>
-    <message>
-        <source>Measurements %1 and %2 cannot be compared: their %3 differ.</source>
-        <translation>无法比较测量 %1 和 %2：二者的%3不同。</translation>
-    </message>
-    <message>
-        <source>scenes</source>
-        <translation>场景</translation>
-    </message>
-    <message>
-        <source>camera paths</source>
-        <translation>相机路径</translation>
-    </message>
-    <message>
-        <source>picture sizes</source>
-        <translation>图像尺寸</translation>
-    </message>
-    <message>
-        <source>Measurement %1 has no run of %2. It has: %3.</source>
-        <translation>测量 %1 中没有 %2。其中有：%3。</translation>
-    </message>
-    <message>
-        <source>Measurements %1 and %2 cannot be compared: they have no run or pose in common.</source>
-        <translation>无法比较测量 %1 和 %2：没有共同的策略或视点。</translation>
-    </message>
-    <message>
-        <source>B has %1 times the speed of A; of single frames there is no interval</source>
-        <translation>B 的速度是 A 的 %1 倍；只有单帧，没有置信区间</translation>
-    </message>
-    <message>
-        <source>B is faster: %1 times the speed of A</source>
-        <translation>B 更快：速度是 A 的 %1 倍</translation>
-    </message>
-    <message>
-        <source>B is slower: %1 times the speed of A</source>
-        <translation>B 更慢：速度是 A 的 %1 倍</translation>
-    </message>
-    <message>
-        <source>no difference that this measurement tells: B has %1 times the speed of A</source>
-        <translation>此次测量看不出差别：B 的速度是 A 的 %1 倍</translation>
-    </message>
-    <message>
-        <source>%1 is no result store, or is damaged: name another file with --store.</source>
-        <translation>%1 不是结果库，或已损坏：请用 --store 指定另一个文件。</translation>
-    </message>
-    <message>
-        <source>%1 is in use: another program has been writing to it for half a minute.</source>
-        <translation>%1 正在使用中：另一个程序已写入半分钟。</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. What was stored before is there.</source>
-        <translation>无法写入 %1：%2。此前存入的内容仍在。</translation>
-    </message>
-    <message>
-        <source>The result store %1 cannot be opened: %2.</source>
-        <translation>无法打开结果库 %1：%2。</translation>
-    </message>
-    <message>
-        <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
-        <translation>%1 由更新版本的 Cullscope 写入（布局 %2，本版本只支持到 %3）：请使用那个版本。</translation>
-    </message>
-    <message>
-        <source>%1 is no result file of cullbench measure.</source>
-        <translation>%1 不是 cullbench measure 的结果文件。</translation>
-    </message>
-    <message>
         <source>pose</source>
         <translation>视点</translation>
-    </message>
-    <message>
-        <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
-        <translation>%1 中没有测量 %2：用 cullbench store %1 list 列出。</translation>
     </message>
 </context>
 <context>
