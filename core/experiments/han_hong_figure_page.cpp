@@ -13,7 +13,9 @@
 #include "core/image/cell_map_page.h"
 #include "core/measure/accuracy.h"
 #include "core/scene/camera_path.h"
+#include "core/visibility/overlay.h"
 #include "core/visibility/spherical/map_details.h"
+#include "core/visibility/verdict_palette.h"
 
 namespace cullscope::han_hong {
 namespace {
