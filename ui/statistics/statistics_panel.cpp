@@ -90,7 +90,7 @@ void StatisticsPanel::setUpBars() {
     m_software->hide();
     m_export->setPopupMode(QToolButton::InstantPopup);
     m_export->setMenu(m_menu);
-    for (QComboBox* box : {m_source, m_run, m_across, m_up}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (QComboBox* box : {m_source, m_run}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     for (QWidget* widget :
          std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_across, m_up, m_export, m_summary, m_software})
         line->addWidget(widget);

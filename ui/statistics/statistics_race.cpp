@@ -11,6 +11,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kRaceRowHeight = 22;
+constexpr int kAxisLetters = 16;
 
 QString pairTip(const PairOfRuns& pair, const QString& one, const QString& other) {
     const auto number = [](double value) { return QString::number(value, 'f', 2); };
@@ -30,6 +31,9 @@ QString pairTip(const PairOfRuns& pair, const QString& one, const QString& other
 
 void StatisticsPanel::setUpAxes() {
     for (QComboBox* box : {m_across, m_up}) {
+        // The longest titles are in the list; the row has no room for them.
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(kAxisLetters);
         for (const TradeFigure& figure : tradeFigures()) box->addItem({}, QString::fromStdString(figure.key));
         connect(box, &QComboBox::activated, this, [this] {
             m_pareto->setAxes(tradeFigures()[size_t(m_across->currentIndex())], tradeFigures()[size_t(m_up->currentIndex())]);
