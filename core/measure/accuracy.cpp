@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
+#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "core/frame/submitted.h"
+#include "core/measure/field_figures.h"
 
 namespace cullscope {
 namespace {
@@ -69,51 +70,6 @@ void countByObject(Accuracy& accuracy, const Reference& reference, const DrawLis
     }
 }
 
-/// The objects of ascending triangles or intervals of them, ascending and each once.
-std::vector<size_t> objectsOf(const std::vector<uint32_t>& ascending, const Scene& scene) {
-    std::vector<size_t> objects;
-    for (const uint32_t triangle : ascending)
-        if (objects.empty() || triangle >= scene.firstTriangle(objects.back() + 1)) objects.push_back(scene.instanceOf(triangle));
-    return objects;
-}
-std::vector<size_t> objectsOf(const TriangleIntervals& intervals, const Scene& scene) {
-    std::vector<size_t> objects;
-    for (const auto& [first, end] : intervals)
-        for (uint64_t triangle = first; triangle < end; triangle = scene.firstTriangle(objects.back() + 1))
-            if (const size_t object = scene.instanceOf(triangle); objects.empty() || object != objects.back())
-                objects.push_back(object);
-    return objects;
-}
-
-void countObjects(Accuracy& accuracy, const Reference& reference, const TriangleIntervals& given, const Scene& scene) {
-    const std::vector<size_t> visible = objectsOf(reference.visibleTriangles, scene), drawn = objectsOf(given, scene);
-    std::vector<size_t> both;
-    std::ranges::set_intersection(visible, drawn, std::back_inserter(both));
-    for (size_t object = 0; object < scene.instances().size(); ++object)
-        if (scene.firstTriangle(object + 1) > scene.firstTriangle(object)) ++accuracy.sceneObjects;
-    accuracy.sceneTriangles = scene.triangleCount();
-    accuracy.visibleObjects = visible.size();
-    accuracy.submittedObjects = drawn.size();
-    accuracy.falselyCulledObjects = visible.size() - both.size();
-    accuracy.needlesslyDrawnObjects = drawn.size() - both.size();
-}
-
-void countOutline(Accuracy& accuracy, const Reference& reference, const ShownPixels& shown) {
-    const auto width = size_t(reference.size.width), height = size_t(reference.size.height);
-    accuracy.pixels = width * height;
-    for (size_t pixel = 0; pixel < reference.triangle.size(); ++pixel) {
-        const bool truly = reference.triangle[pixel] != 0;
-        const bool covered = shown.triangle.empty() ? shown.depth[pixel] > 0.0f : shown.triangle[pixel] != 0;
-        if (truly != covered) ++accuracy.differentlyCovered;
-        if (!truly) continue;
-        const size_t x = pixel % width, y = pixel / width;
-        const auto open = [&](bool within, size_t neighbour) { return within && reference.triangle[neighbour] == 0; };
-        if (open(x > 0, pixel - 1) || open(x + 1 < width, pixel + 1) || open(y > 0, pixel - width) ||
-            open(y + 1 < height, pixel + width))
-            ++accuracy.outlinePixels;
-    }
-}
-
 }  // namespace
 
 Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene) {
@@ -129,8 +85,7 @@ Accuracy compare(const Reference& reference, const ShownPixels& shown, const Dra
     if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
 
     const TriangleIntervals given = submittedIntervals(scene, drawn);
-    countObjects(accuracy, reference, given, scene);
-    countOutline(accuracy, reference, shown);
+    countForFieldFigures(accuracy, reference, shown, given, scene);
     accuracy.submittedTriangles = triangleCount(given);
     accuracy.visibleTriangles = reference.visibleTriangles.size();
     if (shown.objects) {

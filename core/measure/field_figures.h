@@ -28,6 +28,10 @@ using FieldEstimates = std::vector<std::optional<RatioEstimate>>;
 /// Of the frames of a path in their order; empty where they were not judged.
 [[nodiscard]] FieldEstimates fieldEstimates(std::span<const FrameMeasurement> frames);
 
+/// Counts what the figures need of one picture: objects, pixels and the outline. `given`: the triangles that were drawn.
+void countForFieldFigures(Accuracy& accuracy, const Reference& reference, const ShownPixels& shown,
+                          const TriangleIntervals& given, const Scene& scene);
+
 /// How many frames lost a pixel.
 [[nodiscard]] size_t framesWithLoss(std::span<const FrameMeasurement> frames);
 

@@ -17,7 +17,7 @@ struct AdviseRequest {
     Viewport size{640, 480};
     Upload upload = Upload::Vbo;
     double maxMissed = 0.0;  ///< of the covered pixels: the share that may be lost; 0: only what promises to lose nothing will do
-    double buildSeconds = 0.0;  ///< after which building ends; 0: the time of 100 frames of the fastest so far, 2 seconds at least
+    double buildSeconds = 0.0;  ///< after which building ends; 0: 100 frames of the fastest so far, at least 2 seconds
 };
 
 /// How a strategy came out.
