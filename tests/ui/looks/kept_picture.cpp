@@ -78,6 +78,11 @@ bool write(QImage picture, const QString& file, const QString& renderer) {
 
 QString writtenPicturesFolder() { return QStringLiteral(CULLSCOPE_LOOKS_FOLDER); }
 
+void keepToLookAt(QWidget& widget, const QString& name) {
+    if (qEnvironmentVariableIsSet("CULLSCOPE_SAVE_LOOKS"))
+        widget.grab().save(writtenPicturesFolder() + QStringLiteral("/%1.png").arg(name));
+}
+
 QImage withoutMasked(const QImage& picture, const std::vector<QRect>& masked) {
     QImage copy = picture.convertToFormat(QImage::Format_RGB32);
     QPainter painter(&copy);

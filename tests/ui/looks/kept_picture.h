@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QRect>
 #include <QString>
+#include <QWidget>
 #include <vector>
 
 namespace cullscope::ui {
@@ -19,6 +20,9 @@ struct Look {
 
 /// The folder to which differing pictures are written.
 [[nodiscard]] QString writtenPicturesFolder();
+
+/// Saves a picture of a widget there to look at, where that is asked for (CULLSCOPE_SAVE_LOOKS in the environment).
+void keepToLookAt(QWidget& widget, const QString& name);
 
 /// The picture with the masked rectangles painted over.
 [[nodiscard]] QImage withoutMasked(const QImage& picture, const std::vector<QRect>& masked);

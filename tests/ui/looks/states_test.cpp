@@ -160,12 +160,6 @@ TEST(States, aLectureHasNoSmallLetters) {
     EXPECT_TRUE(desktop.window.views().pane(0).header().isVisible()) << "the window has its view back as it was";
 }
 
-/// Saves a picture of a widget to look at, where that is asked for.
-void keepToLookAt(QWidget& widget, const QString& name) {
-    if (qEnvironmentVariableIsSet("CULLSCOPE_SAVE_LOOKS"))
-        widget.grab().save(writtenPicturesFolder() + QStringLiteral("/%1.png").arg(name));
-}
-
 TEST(States, helpMenusAndDialogsCutNoTextInAnyLanguage) {
     for (const QString& language : {QStringLiteral("en"), QStringLiteral("ko"), QStringLiteral("zh_CN")}) {
         SCOPED_TRACE(language.toStdString());
