@@ -201,8 +201,8 @@ private:
             {{{Shape::Line, stateColour(TriangleState::Visible), 1.0}, say(CULLSCOPE_TR("contour of a band that is drawn"))},
              {{Shape::Line, stateColour(TriangleState::Hidden), 1.0}, say(CULLSCOPE_TR("contour of a band that is hidden"))},
              {{Shape::Line, dark, 2.5}, "α = 90°"},
-             {{Shape::Ring, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
-             {{Shape::Dot, dark}, say(CULLSCOPE_TR("opposite"))}},
+             {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
+             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
             pictureHeight);
     }
 
@@ -227,8 +227,8 @@ private:
             {{Shape::Dashed, green, 2.0}, say(CULLSCOPE_TR("S of a band that is hidden"))},
             {{Shape::Dashed, green, 1.0}, say(CULLSCOPE_TR("level of the largest S: what stays below it is hidden"))},
             {{Shape::Line, green, 1.0}, say(CULLSCOPE_TR("edges of the sector and its bands"))},
-            {{Shape::Ring, plotColour(contrastTo(m_style.background))}, say(CULLSCOPE_TR("nearest to the eye"))},
-            {{Shape::Dot, plotColour(contrastTo(m_style.background))}, say(CULLSCOPE_TR("opposite"))},
+            {{Shape::Dot, plotColour(contrastTo(m_style.background))}, say(CULLSCOPE_TR("nearest to the eye"))},
+            {{Shape::Ring, plotColour(contrastTo(m_style.background))}, say(CULLSCOPE_TR("opposite"))},
             {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))}};
         if (std::ranges::any_of(sizes, &spherical::SizePlace::larger))
             entries.insert(entries.begin() + 3, {{Shape::Dashed, stateColour(TriangleState::WronglyCulled), 2.0},

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/result_fields.h"
+#include "core/experiments/store/judged_frames.h"
 #include "core/experiments/store/schema.h"
 
 namespace cullscope::store {
@@ -60,11 +61,14 @@ int64_t addRun(const Database& database, const NewRun& run) {
 
 std::string compact(const ResultFields& fields) { return fields.dump(-1, ' ', false, ResultFields::error_handler_t::replace); }
 
+/// `judged`: what a summary needs of a judged frame besides its fields (judgedText); empty: nothing is known.
 void addFrame(const Database& database, int64_t run, bool ownRaster, const ResultFields& fields,
-              const std::vector<double>& frameTimes, const std::vector<double>& cullTimes) {
-    Statement insert(database, "INSERT INTO frame (run, pose, own_raster, fields, frame_times, cull_times) VALUES (?,?,?,?,?,?)");
+              const std::vector<double>& frameTimes, const std::vector<double>& cullTimes, const std::string& judged) {
+    Statement insert(
+        database,
+        "INSERT INTO frame (run, pose, own_raster, fields, frame_times, cull_times, judged) VALUES (?,?,?,?,?,?,nullif(?,''))");
     insert.bind(run).bind(fields.at("pose").get<int64_t>()).bind(int64_t(ownRaster)).bind(compact(fields));
-    insert.bind(compact(ResultFields(frameTimes))).bind(compact(ResultFields(cullTimes)));
+    insert.bind(compact(ResultFields(frameTimes))).bind(compact(ResultFields(cullTimes))).bind(judged);
     insert.run();
 }
 
@@ -128,7 +132,7 @@ int64_t addDocument(const Database& database, const ResultFields& document, cons
         const int64_t run = addRun(database, {number, place + 1, strategyText(strategyOfHead(text)), place < asked,
                                               !limit.is_null() && sameRun(runs[place]), text});
         for (const ResultFields& frame : runs[place].at("frames"))
-            addFrame(database, run, false, frame, {frame.at("frame_ms").get<double>()}, {frame.at("cull_ms").get<double>()});
+            addFrame(database, run, false, frame, {frame.at("frame_ms").get<double>()}, {frame.at("cull_ms").get<double>()}, "");
     }
     transaction.commit();
     return number;
@@ -212,7 +216,8 @@ void ResultStore::addPose(int64_t number, const Meter& meter) const {
         // A strategy that was dropped has no frame of this pose.
         if (run.frames.empty() || run.frames.back().pose + 1 != meter.poses()) continue;
         const FrameMeasurement& frame = run.frames.back();
-        addFrame(m_database, numbers[i], frame.ownRaster, frameFields(frame), frame.frameTimes, frame.cullTimes);
+        addFrame(m_database, numbers[i], frame.ownRaster, frameFields(frame), frame.frameTimes, frame.cullTimes,
+                 judgedText(frame));
         // The promise is the weakest over the poses.
         Statement update(m_database, "UPDATE run SET head = ?1 WHERE number = ?2 AND head <> ?1");
         update.bind(compact(runHeadFields(run, meter.request()))).bind(numbers[i]).run();

@@ -90,7 +90,7 @@ struct StoredCertificate {
 class ResultStore {
 public:
     /// The version of the file's layout. A newer file is refused with a sentence, an older one is migrated.
-    static constexpr int kVersion = 2;
+    static constexpr int kVersion = 3;
 
     /// Opens a store, or makes one.
     explicit ResultStore(const std::filesystem::path& file, Database::Access access = Database::Access::Write);

@@ -8,7 +8,7 @@ namespace cullscope::store {
 inline constexpr int kApplication = 0x43756c6c;
 
 /// What makes each version of the layout of the one before; the first one of an empty file.
-inline constexpr std::array<const char*, 2> kLayouts{
+inline constexpr std::array<const char*, 3> kLayouts{
     R"(
 CREATE TABLE measurement (
     number INTEGER PRIMARY KEY AUTOINCREMENT,
@@ -51,6 +51,9 @@ CREATE TABLE certificate (
     strategy TEXT NOT NULL,
     document TEXT NOT NULL
 );
+)",
+    R"(
+ALTER TABLE frame ADD COLUMN judged TEXT;
 )"};
 
 }  // namespace cullscope::store

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/result_fields.h"
+#include "core/experiments/store/judged_frames.h"
 #include "core/experiments/store/result_store.h"
 #include "core/measure/summary.h"
 
@@ -141,12 +142,14 @@ KeptFigures figuresFrom(const std::string& strategy, const std::string& text) {
 }
 
 void readFrames(const Database& database, int64_t number, StoredRun& stored) {
-    Statement select(database, "SELECT fields, own_raster, frame_times, cull_times FROM frame WHERE run = ? ORDER BY pose");
+    Statement select(database,
+                     "SELECT fields, own_raster, frame_times, cull_times, judged FROM frame WHERE run = ? ORDER BY pose");
     select.bind(number);
     while (select.next()) {
         stored.frames.push_back(select.text(0));
         stored.run.frames.push_back(
             frameOf(ResultFields::parse(stored.frames.back()), select.number(1) != 0, select.text(2), select.text(3)));
+        if (!select.isNothing(4)) addJudged(select.text(4), stored.run.frames.back());
     }
 }
 

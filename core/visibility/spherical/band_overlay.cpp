@@ -81,8 +81,8 @@ private:
     void addAxis(const Object& object) {
         const Vec3 start = object.onSphere(0.0, 0.0), end = object.onSphere(std::numbers::pi, 0.0);
         m_axes.push_back({start, end, m_context.contrast});
-        addMark(m_marks, m_context, start, kMarkRadius, MarkShape::Ring, m_context.contrast);
-        addMark(m_marks, m_context, end, kMarkRadius, MarkShape::Dot, m_context.contrast);
+        addMark(m_marks, m_context, start, kMarkRadius, MarkShape::Dot, m_context.contrast);
+        addMark(m_marks, m_context, end, kMarkRadius, MarkShape::Ring, m_context.contrast);
     }
 
     const OverlayContext& m_context;

@@ -61,8 +61,8 @@ public:
         addBandEdges(map, place, sector, radius, pixels);
         const Vec3 axis = radius * map.decision.bands->axis;
         m_axes.push_back({place.world(axis), place.world(-axis), m_context.contrast});
-        addMark(m_marks, m_context, place.world(axis), kMarkRadius, MarkShape::Ring, m_context.contrast);
-        addMark(m_marks, m_context, place.world(-axis), kMarkRadius, MarkShape::Dot, m_context.contrast);
+        addMark(m_marks, m_context, place.world(axis), kMarkRadius, MarkShape::Dot, m_context.contrast);
+        addMark(m_marks, m_context, place.world(-axis), kMarkRadius, MarkShape::Ring, m_context.contrast);
         const std::vector<SizePlace> sizes = map.decision.bands->slopes ? heightsOf(map, sector) : sizePlaces(map, sector);
         for (const SizePlace& size : sizes) addSize(place.world(size.foot), place.world(size.surface), size);
         const auto largest =
