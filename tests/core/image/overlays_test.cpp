@@ -205,7 +205,7 @@ TEST(BandOverlay, circlesLieAtTheirAngles) {
                 << band;
     EXPECT_GT(overlays[1].style.width, overlays[0].style.width);
     EXPECT_LT(distanceTo(overlays[2].lines, seen.world(Vec3(0.0))), 1e-9) << "the axis";
-    EXPECT_LT(distanceTo(overlays[3].lines, seen.world(-seen.radius() * bands.axis)), 1e-6) << "the end";
+    EXPECT_LT(distanceTo(overlays[3].lines, seen.world(seen.radius() * bands.axis)), 1e-6) << "the start's dot";
 }
 
 TEST(BandOverlay, smallObjectHasFewerLines) {
