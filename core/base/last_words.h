@@ -7,16 +7,16 @@ namespace cullscope {
 /// program writes one sentence with its name to standard error, and ends with the status of ErrorKind::Input.
 void endWithSentenceOnTerminate();
 
-/// From now on the program also ends so where a library crashes or aborts while the system refuses memory or threads
-/// (memoryIsShort, threadsAreShort): drivers of OpenGL use what they were not given. Every other crash ends it as before, by its
-/// signal.
+/// From now on the program also ends with such a sentence where a library crashes or aborts while the system refuses memory or
+/// threads (memoryIsShort, threadsAreShort): drivers of OpenGL use what they were not given. Every other crash ends it as before,
+/// by its signal.
 void endWithSentenceOnWant();
 
-/// In a crash of which want is not the cause `look` is called, in the signal handler: it may find another cause outside of the
-/// program and end it with a sentence. One at a time.
+/// In a crash whose cause is not a lack of memory or threads `look` is called, in the signal handler: it may find another cause
+/// outside of the program and end it with a sentence. One at a time.
 void lookAtCrashes(void (*look)());
 
-/// Writes to standard error that the program cannot go on, most likely for want of memory or threads, and ends it with the
+/// Writes to standard error that the program cannot go on, most likely for lack of memory or threads, and ends it with the
 /// status of ErrorKind::Input. Allocates nothing; may be called in a signal handler.
 [[noreturn]] void endForWant();
 

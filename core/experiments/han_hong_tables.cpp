@@ -28,7 +28,7 @@ using Cases = std::array<FramesPerSecond, 3>;
 
 constexpr double kFacesOfTable2 = 144'078;
 constexpr std::array kConsideredOfTable2{13'508.0, 16'434.0, 26'308.0};
-/// A lens with which views of each case consider the paper's number of faces of the bunny.
+/// Degrees: with this field of view there are views of each case that consider the paper's number of the bunny's faces.
 constexpr double kNarrow = 10.0;
 constexpr std::array kFields{kNarrow, 35.0, 50.0, 65.0};
 constexpr Cases kTable2{{{295, 486}, {300, 432}, {295, 389}}};

@@ -54,7 +54,7 @@ PixelDifference pixelDifference(float truth, uint32_t should, float depth, uint3
 
 namespace {
 
-/// The same of triangles as `compare` counts them, by object: `given` is what was drawn.
+/// The triangles that `compare` counts, by object.
 void countByObject(Accuracy& accuracy, const Reference& reference, const DrawList& drawn, const Scene& scene) {
     TriangleIntervals objects;
     for (const DrawRange& range : drawn.ranges)

@@ -122,9 +122,9 @@ struct JudgedFrame {
 /// by verdict, for other pictures.
 [[nodiscard]] TriangleStates judgedStates(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Facing truth);
 
-/// The same for extra pixels: explained where the centre lies near an edge of one of both triangles, or the one that the picture
-/// shows lies before the truth by at most the depth change over 1/128 pixel, or their planes meet there. Of frames that have
-/// triangle numbers.
+/// The number of extra pixels that snapping does not explain. It explains one where the centre lies near an edge of one of both
+/// triangles, or the one that the picture shows lies before the truth by at most the depth change over 1/128 pixel, or their
+/// planes meet there. Of frames that have triangle numbers.
 [[nodiscard]] uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                            const View& view);
 

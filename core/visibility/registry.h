@@ -14,7 +14,8 @@ struct RegisteredStrategy {
     std::shared_ptr<const Strategy> strategy;
 };
 
-/// Every strategy, in the order in which lists show them. A new strategy needs one pair of files and one line there.
+/// Every strategy, in the order in which lists show them. A new strategy needs one pair of files, and one line in
+/// registry.cpp.
 [[nodiscard]] const std::vector<RegisteredStrategy>& strategies();
 
 /// The strategies that others are compared with, from the weakest to the strongest.

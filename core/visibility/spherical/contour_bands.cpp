@@ -31,8 +31,8 @@ private:
     const ContourBands& m_bands;
 };
 
-/// For each sector, from near to far: which bands are drawn. A band without triangles has no S and changes nothing. Until then
-/// `within` says whether a sector has cells within 90°.
+/// For each sector, from near to far: which bands are drawn. A band without triangles has no S and changes nothing. On entry
+/// `within` says whether a sector has cells within 90°; afterwards that of those that are not drawn.
 void compareWithNearer(ContourBands& bands, Cut cut, ObjectRecord* record) {
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         double largest = 0.0;

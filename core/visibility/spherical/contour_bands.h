@@ -10,7 +10,7 @@ namespace cullscope::spherical {
 
 class ObjectRecord;
 
-/// The data of a mesh's maps that the band tests of both spherical strategies need, computed once.
+/// The data of a mesh's maps that the band tests of `spherical` and `spherical-horizon` need, computed once.
 struct BandCells {
     struct Cell {
         uint32_t number = 0;
