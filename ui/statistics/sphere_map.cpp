@@ -10,7 +10,7 @@ namespace {
 constexpr double kLeast = 8.0;
 constexpr double kLargest = 16.0;
 constexpr double kReachOfDot = 12.0;  // how far from a dot a click still counts
-constexpr double kWidest = 3.0;  // times the height
+constexpr double kWidest = 3.0;       // times the height
 
 /// A ring where nothing is missed, else a disc, larger where more is.
 PlotMark dot(const QString& name, const PlotPoint& at, const std::optional<double>& missedPpm, const PlotColours& colours) {
@@ -70,8 +70,13 @@ std::vector<LinePlot> SphereMap::plots(const QPalette& palette) const {
         plot.marks.push_back(dot({}, {pose->azimuth, pose->elevation}, pose->missedPpm, colours));
     if (current() >= 0) {
         const PoseFigures& chosen = run().poses[size_t(current())];
-        plot.marks.push_back(
-            {{}, {chosen.azimuth, chosen.elevation}, PlotShape::Disc, {colours.chosen.rgba(), 2.0}, 0, {}, 2.0 * (kReachOfDot - 1.0)});
+        plot.marks.push_back({{},
+                              {chosen.azimuth, chosen.elevation},
+                              PlotShape::Disc,
+                              {colours.chosen.rgba(), 2.0},
+                              0,
+                              {},
+                              2.0 * (kReachOfDot - 1.0)});
     }
     return {std::move(plot)};
 }

@@ -13,10 +13,7 @@
 
 namespace cullscope::ui {
 
-namespace {
-
-
-}  // namespace
+namespace {}  // namespace
 
 SceneView::SceneView(Session& session, int view, QWidget* parent)
     : QWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
