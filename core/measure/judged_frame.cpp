@@ -143,8 +143,7 @@ std::vector<uint32_t> trianglesAt(const Reference& reference, const std::vector<
     for (const uint32_t pixel : pixels)
         if (reference.triangle[pixel] != 0) triangles.push_back(reference.triangle[pixel] - 1);
     std::ranges::sort(triangles);
-    const auto rest = std::ranges::unique(triangles);
-    triangles.erase(rest.begin(), rest.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;
 }
 
