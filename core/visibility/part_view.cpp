@@ -56,8 +56,7 @@ void setEye(PartView& seen, const EyeFromLocal& object, const Mat3& inverse) {
     seen.rounding = object.rounding * shrink;
 }
 
-PartView partView(const Scene& scene, uint32_t instance, const View& view) {
-    const EyeFromLocal object = eyeFromLocal(scene, instance, scene.meshOf(instance).localSphere(), Mat3(1.0), view.eye());
+PartView partView(const View& view, const EyeFromLocal& object) {
     PartView seen;
     setPlanes(seen, view, object);
     if (view.frustum().parallel()) return seen;

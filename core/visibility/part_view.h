@@ -47,8 +47,8 @@ void setPlanes(PartView& seen, const View& view, const EyeFromLocal& object);
 /// Sets the eye, where the object is not flat, and the unevenness. `inverse`: of `object.linear`.
 void setEye(PartView& seen, const EyeFromLocal& object, const Mat3& inverse);
 
-/// An instance as seen by a view, around the middle of its mesh's bounding sphere, in the mesh's axes.
-[[nodiscard]] PartView partView(const Scene& scene, uint32_t instance, const View& view);
+/// An instance, given around the middle of its mesh's bounding sphere in the mesh's axes, as seen by a view.
+[[nodiscard]] PartView partView(const View& view, const EyeFromLocal& object);
 
 /// An upper bound on the displacement of a point in the picture, in local units for each unit of distance from the eye: by
 /// snapping to 1/256 pixel (taken in full instead of half, once for x and y) and by OpenGL's float rounding.

@@ -23,7 +23,7 @@ constexpr OctreeWalkLines kGroupLines{.groupPlanes = uint8_t(ClusterLine::Groups
                                       .objectOutside = uint8_t(ClusterLine::Outside)};
 constexpr PartWalkLines kPartLines{.planes = uint8_t(ClusterLine::Planes),
                                    .cones = uint8_t(ClusterLine::Cones),
-                                   .hiding = 0,
+                                   .hiding = uint8_t(ClusterLine::HiddenPart),
                                    .draw = uint8_t(ClusterLine::Draw)};
 
 /// The decision about an object that no group test culled.
@@ -43,14 +43,16 @@ public:
         : m_frame(frame), m_structure(structure), m_options(options) {}
 
     void run(ClusterMemory& memory) {
-        const std::vector<KeptObject> kept = keep(memory);
+        std::vector<KeptObject> kept = keep(memory);
+        if (m_options.occlusion) occlude(kept, memory);
         std::vector<WalkedObject> decided(kept.size());
         m_tests = kept.size() <= kMostWithTests;
         if (m_frame.recording() && !m_tests) sayResultsAlone(m_frame);
         {
             const StageTimer stage(m_frame, CULLSCOPE_TR("clusters"));
             const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i]); };
-            if (kept.size() < kObjectsForThreads)
+            // One thread at a time asks the buffer.
+            if (kept.size() < kObjectsForThreads || m_buffer != nullptr)
                 for (size_t i = 0; i < kept.size(); ++i) decideOne(i);
             else
                 tbb::parallel_for(size_t{0}, kept.size(), decideOne);
@@ -60,7 +62,9 @@ public:
             const StageTimer stage(m_frame, CULLSCOPE_TR("draw list"));
             m_frame.counters().parts = {
                 {CULLSCOPE_TR("planes of the frustum"), kept.size(), counters().culledTriangles[size_t(Cause::OutsideFrustum)]},
-                {CULLSCOPE_TR("normal cones"), 0, 0}};
+                {CULLSCOPE_TR("normal cones"), 0, 0},
+                {CULLSCOPE_TR("occluders"), m_buffer != nullptr ? kept.size() : 0,
+                 counters().culledTriangles[size_t(Cause::Hidden)]}};
             if (m_frame.recording()) m_frame.countPlacesIn(m_structure.clusters.order);
             for (const WalkedObject& object : decided) {
                 submit(object, list);
@@ -87,6 +91,22 @@ private:
         return kept;
     }
 
+    /// Leaves out the objects that others hide, and keeps the buffer for the clusters of the others.
+    void occlude(std::vector<KeptObject>& kept, ClusterMemory& memory) {
+        const StageTimer stage(m_frame, CULLSCOPE_TR("occluders"));
+        if (!memory.buffer || memory.buffer->form() != *m_options.occlusion) memory.buffer.emplace(*m_options.occlusion);
+        const OccluderOptions options{
+            m_options.pixels, m_options.triangles, {uint8_t(ClusterLine::Hidden), uint8_t(ClusterLine::Occlude)}};
+        const OccluderResult found = keepUnhidden(kept, m_structure.occluders, m_frame, options, *memory.buffer);
+        counters().culledTriangles[size_t(Cause::Hidden)] += found.hiddenTriangles;
+        counters().figures = {{"occluders", double(found.occluders)},
+                              {"occluder_triangles", double(memory.buffer->counts().given)},
+                              {"questions", double(found.questions)}};
+        if (memory.buffer->empty()) return;
+        counters().workBytes = memory.buffer->bytes();
+        m_buffer = &*memory.buffer;
+    }
+
     [[nodiscard]] WalkedObject decideAbout(const KeptObject& object) const {
         const ClusterTree& tree = m_structure.clusters.of(scene(), object.instance);
         WalkedObject result{object.instance, false, {}};
@@ -94,15 +114,19 @@ private:
         const bool cones = m_options.cones && dropsBacks(scene(), object.instance, m_frame.facing());
         // The planes were tested with the object's own bounds; of a single cluster nothing else is left.
         const SurfaceNode& root = tree.nodes().front();
-        if (root.leaf() ? !cones || !root.hasCone() : object.planes == 0 && !cones) {
+        const bool nothing = root.leaf() ? !cones || !root.hasCone() : object.planes == 0 && !cones;
+        if (nothing && m_buffer == nullptr) {
             result.whole = true;
             if (result.record)
                 result.record->say(
                     atLine(ClusterLine::Objects, ending(Subject::ofObject(object.instance), Decision::Outcome::Drawn)));
             return result;
         }
-        const PartView seen = partView(scene(), object.instance, m_frame.view());
-        const PartTests tests{object.planes, cones, nullptr, kPartLines};
+        const EyeFromLocal fromEye = eyeFromLocal(scene(), object.instance, tree.sphere(), Mat3(1.0), m_frame.view().eye());
+        const PartView seen = partView(m_frame.view(), fromEye);
+        std::optional<BufferHiding> hiding;
+        if (m_buffer != nullptr) hiding.emplace(*m_buffer, m_frame.view(), fromEye);
+        const PartTests tests{object.planes, cones, hiding ? &*hiding : nullptr, kPartLines};
         result.walk = walkParts(SurfaceNodes(tree.nodes()), seen, tests, result.record ? &*result.record : nullptr);
         if (result.record) sayEnd(result.walk, tree.mesh().triangleCount(), *result.record);
         return result;
@@ -115,7 +139,7 @@ private:
         const auto outcome = drawn == triangles ? Decision::Outcome::Drawn
                              : drawn > 0        ? Decision::Outcome::PartlyDrawn
                                                 : Decision::Outcome::Culled;
-        record.say(atLine(ClusterLine::Walk, ending(record.subject(), outcome, mainCause(walk))));
+        record.say(atLine(ClusterLine::Objects, ending(record.subject(), outcome, mainCause(walk))));
     }
 
     void submit(const WalkedObject& object, DrawList& list) {
@@ -130,6 +154,7 @@ private:
         parts[0].culledTriangles += walk.culled[size_t(Cause::OutsideFrustum)];
         parts[1].culledTriangles += walk.culled[size_t(Cause::BackFacing)];
         parts[1].objects += walk.cones ? 1 : 0;
+        parts[2].culledTriangles += walk.culled[size_t(Cause::Hidden)];
         counters().nodesVisited += walk.nodesVisited;
         counters().bytesTouched += walk.nodesVisited * sizeof(SurfaceNode);
     }
@@ -137,7 +162,8 @@ private:
     FrameContext& m_frame;
     const ClusterScene& m_structure;
     ClusterOptions m_options;
-    bool m_tests = false;  ///< whether a record holds tests
+    OcclusionBuffer* m_buffer = nullptr;  ///< null: nothing hides
+    bool m_tests = false;                 ///< whether a record holds tests
 };
 
 }  // namespace

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
+
 #include "core/frame/frame_context.h"
 #include "core/spatial/instance_octree.h"
+#include "core/visibility/occlusion/cluster_occlusion.h"
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/scene_clusters.h"
 #include "core/visibility/strategy.h"
@@ -9,22 +12,32 @@
 namespace cullscope::occlusion {
 
 /// The lines of the listing of `clusters`.
-enum class ClusterLine : uint8_t { Groups = 1, Outside, Objects, Walk, Planes, Cones, Draw, Parts };
+enum class ClusterLine : uint8_t { Groups = 1, Outside, Hidden, Occlude, Objects, Planes, Cones, HiddenPart, Draw, Parts };
 
 struct ClusterScene : Structure {
     using Structure::Structure;
     InstanceOctree octree;
     SceneClusters clusters;
+    Occluders occluders;
 };
 
 struct ClusterMemory : ViewState {
     LastFailedPlanes planes;
+    std::optional<OcclusionBuffer> buffer;  ///< begins anew with every frame: only its memory is kept
 
-    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<ClusterMemory>(*this); }
+    [[nodiscard]] ViewStatePointer clone() const override {
+        auto copy = std::make_unique<ClusterMemory>();
+        static_cast<ViewState&>(*copy) = *this;
+        copy->planes = planes;
+        return copy;
+    }
 };
 
 struct ClusterOptions {
     bool cones = true;
+    std::optional<OcclusionForm> occlusion{};  ///< none: nothing hides
+    double pixels = 0.0;                       ///< as OccluderOptions
+    uint64_t triangles = 0;
 };
 
 /// Decides one frame, draws it and says why.

@@ -11,6 +11,11 @@ namespace cullscope::occlusion {
 namespace {
 
 constexpr const char* kCones = "cones";
+constexpr const char* kOcclusion = "occlusion";
+constexpr const char* kDepth = "depth";
+constexpr const char* kMasked = "masked";
+constexpr const char* kPixels = "pixels";
+constexpr const char* kTriangles = "triangles";
 constexpr const char* kClusterBoxes = "clusters";
 
 class Clusters final : public StrategyWith<ClusterScene, ClusterMemory> {
@@ -43,17 +48,24 @@ protected:
         const Scene& scene = structure.scene();
         structure.clusters = SceneClusters(scene, uint32_t(parameters.integer(kClusterSize)), progress.part(0.0, 0.9));
         structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
-        structure.report.bytes = structure.clusters.bytes() + structure.octree.bytes();
+        structure.occluders = Occluders(scene, progress);
+        structure.report.bytes = structure.clusters.bytes() + structure.octree.bytes() + structure.occluders.bytes();
         structure.report.figures = structure.clusters.figures();
         structure.report.figures.insert(structure.report.figures.begin(), {{"objects", double(scene.instances().size())},
                                                                            {"groups", double(structure.octree.nodes().size())}});
         structure.report.figures.push_back({"cluster bytes", double(structure.clusters.bytes())});
         structure.report.figures.push_back({"octree bytes", double(structure.octree.bytes())});
+        structure.report.figures.push_back({"occluder bytes", double(structure.occluders.bytes())});
     }
 
     void decide(FrameContext& frame, const ClusterScene& structure, ClusterMemory& memory,
                 const ParameterSet& parameters) const override {
-        drawClusters(frame, structure, memory, {parameters.boolean(kCones)});
+        ClusterOptions options{
+            parameters.boolean(kCones), {}, parameters.real(kPixels), uint64_t(parameters.integer(kTriangles))};
+        const std::string& occlusion = parameters.choice(kOcclusion);
+        if (occlusion == kDepth) options.occlusion = OcclusionForm::Depth;
+        if (occlusion == kMasked) options.occlusion = OcclusionForm::Masked;
+        drawClusters(frame, structure, memory, options);
     }
 
     [[nodiscard]] Promise promiseOf(const ClusterScene& /*structure*/, const ParameterSet& /*parameters*/,
@@ -105,28 +117,64 @@ Show clusterBoxes() {
 Show clusterListing() {
     return listingShow({{CULLSCOPE_TR("test groups, objects by planes"), 0},
                         {CULLSCOPE_TR("outside: leave it all out"), 1},
-                        {CULLSCOPE_TR("each other object, nearest first"), 0},
-                        {CULLSCOPE_TR("walk(clusters), first all"), 1},
-                        {CULLSCOPE_TR("box outside: leave it out"), 2},
-                        {CULLSCOPE_TR("faces away: leave it out"), 2},
-                        {CULLSCOPE_TR("no test open, leaf, gap: draw"), 2},
-                        {CULLSCOPE_TR("else walk(each part)"), 2}});
+                        {CULLSCOPE_TR("hidden by nearer ones: leave it out"), 1},
+                        {CULLSCOPE_TR("else it occludes those behind it"), 1},
+                        {CULLSCOPE_TR("each object left: walk(clusters)"), 0},
+                        {CULLSCOPE_TR("box outside: leave it out"), 1},
+                        {CULLSCOPE_TR("faces away: leave it out"), 1},
+                        {CULLSCOPE_TR("box hidden: leave it out"), 1},
+                        {CULLSCOPE_TR("no test open, leaf, gap: draw"), 1},
+                        {CULLSCOPE_TR("else walk(each part)"), 1}});
+}
+
+ParameterDeclaration pixelsParameter() {
+    return bySize(
+        {kPixels,
+         ParameterType::Real,
+         64.0,
+         1.0,
+         1e6,
+         "px",
+         CULLSCOPE_TR("How many pixels a triangle of an occluder has at least, seen face on: smaller ones hide little."),
+         {}},
+        1.0);
+}
+
+ParameterDeclaration trianglesParameter() {
+    return {kTriangles,
+            ParameterType::Integer,
+            int64_t{8192},
+            0.0,
+            1e6,
+            "",
+            CULLSCOPE_TR("How many triangles all occluders of a frame may have together."),
+            {}};
 }
 
 }  // namespace
 
 RegisteredStrategy clusters() {
-    StrategyInfo info{"clusters",
-                      CULLSCOPE_TR("Clusters of triangles"),
-                      CULLSCOPE_TR("Cuts meshes into clusters of neighbouring triangles and tests these, from large groups to "
-                                   "single ones, against the frustum and by the cones of their normals: loses nothing on any "
-                                   "mesh."),
-                      "Shirman & Abi-Ezzi 1993; Haar & Aaltonen 2015",
-                      {facingParameter(), clusterSizeParameter(),
-                       booleanParameter(kCones, true,
-                                        CULLSCOPE_TR("Whether clusters whose triangles all face away are left out (where only "
-                                                     "front sides are drawn)."))}};
-    info.sweeps = {{kClusterSize, {"32", "64", "128", "256", "512"}}};
+    StrategyInfo info{
+        "clusters",
+        CULLSCOPE_TR("Clusters of triangles"),
+        CULLSCOPE_TR("Cuts meshes into clusters of neighbouring triangles and tests these, from large groups to "
+                     "single ones, against the frustum, by the cones of their normals and by what lies before "
+                     "them: loses nothing on any mesh."),
+        "Shirman & Abi-Ezzi 1993; Hasselgren, Andersson & Akenine-Möller 2016",
+        {facingParameter(), clusterSizeParameter(),
+         choiceParameter(kOcclusion, kMasked,
+                         CULLSCOPE_TR("How it is found that clusters are hidden: large triangles of near objects are "
+                                      "drawn on the processor."),
+                         {{"none", CULLSCOPE_TR("it is not")},
+                          {kDepth, CULLSCOPE_TR("a depth for every pixel")},
+                          {kMasked, CULLSCOPE_TR("two depths and a mask for each 8 × 4 pixels")}}),
+         booleanParameter(kCones, true,
+                          CULLSCOPE_TR("Whether clusters whose triangles all face away are left out (where only "
+                                       "front sides are drawn).")),
+         pixelsParameter(), trianglesParameter()}};
+    info.sweeps = {{kClusterSize, {"32", "64", "128", "256", "512"}},
+                   {kPixels, {"4", "16", "64", "256", "1024"}},
+                   {kTriangles, {"0", "512", "2048", "8192", "32768"}}};
     info.shows = {treeShow(), clusterBoxes(), clusterListing(), trianglesByTestShow()};
     return {std::move(info), std::make_shared<Clusters>()};
 }

@@ -35,8 +35,11 @@ double areaOfPixels(const View& view, double distance, double pixels) {
 }
 
 AskedBox askedBox(const OcclusionBuffer& buffer, const Box3& world, const View& view) {
-    EyeBox box = relativeToEye(world, view.eye());
-    const double margin = marginFromEye(world.centre(), box.centre, glm::length(box.halfExtent), view.eye());
+    const EyeBox box = relativeToEye(world, view.eye());
+    return askedBox(buffer, box, marginFromEye(world.centre(), box.centre, glm::length(box.halfExtent), view.eye()), view);
+}
+
+AskedBox askedBox(const OcclusionBuffer& buffer, EyeBox box, double margin, const View& view) {
     AskedBox asked;
     asked.growth = boxGrowth(box, margin, view);
     const double rounding = boxRounding(box, margin, view);

@@ -41,5 +41,7 @@ struct AskedBox {
 /// Lets the box grow for the question (visibility/eye_bounds.h): by its rounding on each side, and towards the eye by a pixel's
 /// width besides, for depths that OpenGL interpolates at a pixel's centre beside an edge. So nothing visible is hidden by it.
 [[nodiscard]] AskedBox askedBox(const OcclusionBuffer& buffer, const Box3& world, const View& view);
+/// The same of a box relative to the eye; `margin`: of its plane tests.
+[[nodiscard]] AskedBox askedBox(const OcclusionBuffer& buffer, EyeBox box, double margin, const View& view);
 
 }  // namespace cullscope::occlusion
