@@ -201,9 +201,9 @@ public:
     [[nodiscard]] ViewMeter* meter() { return m_meter.get(); }
     /// The views' frames.
     [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
-    /// Ends the frame that is being decided, and all to come: the session's window closes, and parts of it wait for the GPU
-    /// thread.
-    void endFrames() { m_frames->stop(); }
+    /// Ends the frame that is being decided and the one that is being timed, and all to come: the session's window closes, and
+    /// parts of it wait for the GPU thread one after the other.
+    void endFrames();
     /// What the strategies of all views built.
     [[nodiscard]] const std::shared_ptr<StructureStore>& structures() const { return m_structures; }
 
