@@ -10032,6 +10032,10 @@ sides [95 %]</source>
         <translation>놓친 픽셀: %1, 참값보다 가까운 픽셀: %2</translation>
     </message>
     <message>
+        <source>missed pixels: %1, within snapping and not lost: %2, nearer than the truth: %3</source>
+        <translation>놓친 픽셀: %1, 맞춤 안에 있어 놓치지 않은 픽셀: %2, 참값보다 가까운 픽셀: %3</translation>
+    </message>
+    <message>
         <source>difference within snapping %1 of %2, pixels: %3</source>
         <translation>맞춤 안의 차이 %1/%2, 픽셀: %3</translation>
     </message>

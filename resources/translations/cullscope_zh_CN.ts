@@ -10032,6 +10032,10 @@ sides [95 %]</source>
         <translation>丢失的像素：%1，比真值更近的像素：%2</translation>
     </message>
     <message>
+        <source>missed pixels: %1, within snapping and not lost: %2, nearer than the truth: %3</source>
+        <translation>丢失的像素：%1，对齐误差之内、未丢失的像素：%2，比真值更近的像素：%3</translation>
+    </message>
+    <message>
         <source>difference within snapping %1 of %2, pixels: %3</source>
         <translation>对齐误差之内的差异 %1/%2，像素：%3</translation>
     </message>
