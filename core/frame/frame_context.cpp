@@ -69,10 +69,15 @@ std::vector<uint32_t> FrameContext::visibleBoxes(std::vector<EyeBox> boxes, BoxQ
 }
 
 std::vector<uint32_t> FrameContext::visibleTriangles() {
-    const auto start = std::chrono::steady_clock::now();
-    std::vector<uint32_t> triangles = findVisible();
-    m_untimedMilliseconds += millisecondsSince(start);
+    std::vector<uint32_t> triangles;
+    workOutUntimed([&] { triangles = findVisible(); });
     return triangles;
+}
+
+void FrameContext::workOutUntimed(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    m_untimedMilliseconds += millisecondsSince(start);
 }
 
 BoxTicketPointer FrameContext::ask(std::vector<EyeBox> boxes, BoxQuestion question) {

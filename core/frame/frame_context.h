@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <stop_token>
 
@@ -66,6 +67,9 @@ public:
     /// once: for what a strategy that knew them beforehand could gain. Finding them counts into no time of the frame
     /// (untimedMilliseconds). Throws Error(OpenGl) without OpenGL.
     [[nodiscard]] std::vector<uint32_t> visibleTriangles();
+    /// Works out beforehand, from those triangles, what a strategy that knew them could draw: that counts into no time of the
+    /// frame either.
+    void workOutUntimed(const std::function<void()>& work);
 
     /// Whether decisions are asked for; where they are not, nothing has to be prepared for them.
     [[nodiscard]] bool recording() const { return m_log.recorded; }

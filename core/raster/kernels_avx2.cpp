@@ -1,6 +1,7 @@
 #include <immintrin.h>
 
 #include "core/raster/depth_buffer_kernel.h"
+#include "core/raster/occlusion_kernel.h"
 #include "core/raster/projection_kernel.h"
 #include "core/raster/shading_kernel.h"
 
@@ -38,5 +39,9 @@ void projectAvx2(const RasterProjection& projection, const float* positions, siz
 void shadeAvx2(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx2Lanes>(shading, block); }
 
 void markShownAvx2(const uint32_t* items, size_t count, uint8_t* fates) { markShownItems<Avx2Lanes>(items, count, fates); }
+
+void drawOccludersAvx2(const OccluderTriangle* triangles, size_t count, const OcclusionTiles& tiles) {
+    drawAllOccluders(triangles, count, tiles);
+}
 
 }  // namespace cullscope

@@ -5,6 +5,7 @@
 #include <immintrin.h>
 
 #include "core/raster/depth_buffer_kernel.h"
+#include "core/raster/occlusion_kernel.h"
 #include "core/raster/projection_kernel.h"
 #include "core/raster/shading_kernel.h"
 
@@ -88,5 +89,9 @@ void projectAvx512(const RasterProjection& projection, const float* positions, s
 void shadeAvx512(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx512Lanes>(shading, block); }
 
 void markShownAvx512(const uint32_t* items, size_t count, uint8_t* fates) { markShownItems<Avx512Lanes>(items, count, fates); }
+
+void drawOccludersAvx512(const OccluderTriangle* triangles, size_t count, const OcclusionTiles& tiles) {
+    drawAllOccluders(triangles, count, tiles);
+}
 
 }  // namespace cullscope

@@ -1,4 +1,5 @@
 #include "core/raster/depth_buffer_kernel.h"
+#include "core/raster/occlusion_kernel.h"
 #include "core/raster/projection_kernel.h"
 #include "core/raster/shading_kernel.h"
 
@@ -55,6 +56,10 @@ void shadePortable(const Shading& shading, const ShadedBlock& block) { shadeBloc
 
 void markShownPortable(const uint32_t* items, size_t count, uint8_t* fates) {
     markShownItems<PortableLanes>(items, count, fates);
+}
+
+void drawOccludersPortable(const OccluderTriangle* triangles, size_t count, const OcclusionTiles& tiles) {
+    drawAllOccluders(triangles, count, tiles);
 }
 
 }  // namespace cullscope

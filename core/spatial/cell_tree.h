@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/spatial/direction_map.h"
+#include "core/spatial/surface_bounds.h"
 
 namespace cullscope {
 
@@ -16,19 +17,8 @@ namespace cullscope {
 class CellTree {
 public:
     /// All bounds are for the float positions as stored, rounded outward.
-    struct Node {
-        Vec3f low{0.0f}, high{0.0f};    ///< box around all of its triangles, in full
-        Vec3f coneAxis{0.0f};           ///< unit; the triangles' unit normals lie around it,
-        float coneCosine = 2.0f;        ///< within an angle of this cosine; 2: no such cone is narrower than 84°
-        float coneSine = 0.0f;          ///< sine of that angle
-        float planeMargin = 0.0f;       ///< the box's middle lies at most this far on the front side of any of its triangles'
-                                        ///< planes
-        float leastHeight = 0.0f;       ///< the smallest altitude of its triangles
-        uint32_t first = 0, count = 0;  ///< range of its triangles in the tree's order
-        uint32_t firstChild = 0;        ///< index of its first child; the others follow
-        uint32_t code = 0;              ///< Morton code of its cell
-        uint8_t level = 0;
-        uint8_t childCount = 0;  ///< 0: a leaf
+    struct Node : SurfaceNode {
+        uint32_t code = 0;  ///< Morton code of its cell
 
         [[nodiscard]] MapCell cell() const { return mapCell(code, level); }
     };

@@ -57,4 +57,22 @@ struct EyeBounds {
     return 2.0 * view.frustum().halfHeightAt(farthest) / view.viewport().height;
 }
 
+/// By how much a box grows on each side for the rounding of a picture, in world units: twice the margin of a plane test
+/// (`margin`), for the float rounding of the box and of what it holds; and a bound on the error of an interpolated depth: four
+/// roundings of the depth at the box's nearest distance, seen at its farthest.
+[[nodiscard]] inline double boxRounding(const EyeBox& box, double margin, const View& view) {
+    const Frustum& frustum = view.frustum();
+    const double farthest = std::max(farthestAhead(box, frustum), 0.0);
+    const double nearest = std::max(nearestAhead(box, frustum), frustum.nearDistance);
+    // A rounding of the depth, as a distance.
+    const double rounding = frustum.parallel() ? depthRoom(frustum.farDistance) : 0x1p-22 * farthest * (farthest / nearest);
+    return 2.0 * margin + rounding;
+}
+
+/// By how much a box grows on each side before OpenGL is asked about it, in world units: its rounding, and a pixel's width at its
+/// farthest distance.
+[[nodiscard]] inline double boxGrowth(const EyeBox& box, double margin, const View& view) {
+    return pixelAtFarthest(box, view) + boxRounding(box, margin, view);
+}
+
 }  // namespace cullscope

@@ -44,9 +44,7 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour) {
         return Vec3((c & 1) != 0 ? box.max.x : box.min.x, (c & 2) != 0 ? box.max.y : box.min.y,
                     (c & 4) != 0 ? box.max.z : box.min.z);
     };
-    for (int from = 0; from < 8; ++from)
-        for (const int axis : {1, 2, 4})
-            if ((from & axis) == 0) overlay.lines.push_back({corner(from), corner(from | axis), colour});
+    addBoxEdges(overlay, corner, colour);
 }
 
 void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node) {

@@ -36,6 +36,14 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
 /// The length in pixels of a world length at a place; the picture's height where the place lies behind the viewing camera.
 [[nodiscard]] double pixelsOf(const View& viewing, const Vec3& place, double length);
 
+/// The twelve edges of a box, level or turned: `corner(c)` is its corner on the high side of the axes x, y and z whose bit 1, 2
+/// and 4 of c is set.
+template <typename Corner>
+void addBoxEdges(OverlayLines& overlay, const Corner& corner, const Vec3f& colour) {
+    for (int from = 0; from < 8; ++from)
+        for (const int axis : {1, 2, 4})
+            if ((from & axis) == 0) overlay.lines.push_back({corner(from), corner(from | axis), colour});
+}
 /// The twelve edges of a box.
 void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour);
 

@@ -1,7 +1,10 @@
 #include "core/visibility/parameters.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 

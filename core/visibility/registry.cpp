@@ -10,6 +10,7 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/occlusion/clusters.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/small_feature/level_of_detail.h"
@@ -40,6 +41,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         software::depthBuffer(),
         software::scanLine(),
         occlusion::octreeQuery(),
+        occlusion::clusters(),
         ordering::painter(),
         ordering::bsp(),
         small_feature::smallFeature(),

@@ -92,7 +92,7 @@ TEST_F(WalkMap, aMeshWithoutAKernelSaysWhyAndHasNoKernelColours) {
 
 TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
     const spherical::CellWalk& walk = *snapshot().decision.walk;
-    ASSERT_TRUE(walk.cones && walk.horizon);
+    ASSERT_TRUE(walk.cones && walk.hiding);
     ASSERT_GT(walk.culled[size_t(Cause::BackFacing)], 0U);
     const QStringList said = lines();
     ASSERT_EQ(said.size(), 2);

@@ -9,25 +9,29 @@
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/scene_clusters.h"
 
 namespace cullscope::baseline {
 namespace {
+
+constexpr const char* kBy = "by";
+constexpr const char* kObjects = "objects";
+constexpr const char* kClusters = "clusters";
+
+struct OracleScene : Structure {
+    using Structure::Structure;
+    std::optional<SceneClusters> clusters;  ///< by clusters
+};
 
 /// What the exact picture of the last view showed: of the same view it is not asked for again.
 struct Known : ViewState {
     std::optional<Camera> camera;
     Viewport size;
-    std::vector<uint32_t> visible;  ///< ascending
+    std::vector<uint32_t> visible;    ///< ascending
+    std::vector<DrawRange> clusters;  ///< by clusters: those of which anything is visible, in the order of the instances
 
     [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<Known>(*this); }
-    const std::vector<uint32_t>& of(FrameContext& frame) {
-        const View& view = frame.view();
-        if (camera == view.camera() && size == view.viewport()) return visible;
-        visible = frame.visibleTriangles();
-        camera = view.camera();
-        size = view.viewport();
-        return visible;
-    }
+    void find(FrameContext& frame, const OracleScene& structure);
 };
 
 enum class OracleLine : uint8_t { Known = 1, Objects, Draw, LeaveOut };
@@ -40,42 +44,92 @@ std::span<const uint32_t> ofObject(const Scene& scene, uint32_t instance, std::s
     return {from, to};
 }
 
-class Oracle final : public StrategyWith<Structure, Known> {
+/// Appends the clusters of an object of which a triangle is visible; neighbouring ones become one range.
+void addClusters(std::vector<DrawRange>& ranges, uint32_t instance, const ClusterTree& tree, std::span<const uint32_t> visible,
+                 uint64_t first) {
+    std::vector<const SurfaceNode*> leaves;
+    for (const SurfaceNode& node : tree.nodes())
+        if (node.leaf()) leaves.push_back(&node);
+    std::ranges::sort(leaves, {}, [](const SurfaceNode* node) { return node->first; });
+    uint32_t end = 0;
+    for (const SurfaceNode* leaf : leaves) {
+        bool shows = false;
+        for (uint32_t place = leaf->first; place < leaf->first + leaf->count && !shows; ++place)
+            shows = std::ranges::binary_search(visible, first + tree.triangleAt(place));
+        if (!shows) continue;
+        if (end > 0 && end == leaf->first)
+            ranges.back().indexCount += 3 * leaf->count;
+        else
+            ranges.push_back({instance, 3 * leaf->first, 3 * leaf->count});
+        end = leaf->first + leaf->count;
+    }
+}
+
+void Known::find(FrameContext& frame, const OracleScene& structure) {
+    const View& view = frame.view();
+    if (camera == view.camera() && size == view.viewport()) return;
+    visible = frame.visibleTriangles();
+    camera = view.camera();
+    size = view.viewport();
+    if (!structure.clusters) return;
+    clusters.clear();
+    frame.workOutUntimed([&] {
+        const Scene& scene = structure.scene();
+        for (uint32_t i = 0; i < scene.instances().size(); ++i)
+            if (const std::span<const uint32_t> own = ofObject(scene, i, visible); !own.empty())
+                addClusters(clusters, i, structure.clusters->of(scene, i), own, scene.firstTriangle(i));
+    });
+}
+
+class Oracle final : public StrategyWith<OracleScene, Known> {
 public:
     [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<Known>(); }
 
 protected:
-    void fill(Structure& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
+    void fill(OracleScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
         structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
+        if (parameters.choice(kBy) != kClusters) return;
+        structure.clusters.emplace(structure.scene(), uint32_t(parameters.integer(kClusterSize)), progress);
+        structure.report.bytes = structure.clusters->bytes();
+        const std::vector<StructureReport::Figure> figures = structure.clusters->figures();
+        structure.report.figures.insert(structure.report.figures.end(), figures.begin(), figures.end());
     }
-    void decide(FrameContext& frame, const Structure& structure, Known& known, const ParameterSet& parameters) const override {
+    void decide(FrameContext& frame, const OracleScene& structure, Known& known, const ParameterSet& parameters) const override {
         const Scene& scene = structure.scene();
-        const std::vector<uint32_t>& visible = known.of(frame);
+        known.find(frame, structure);
+        const std::vector<uint32_t>& visible = known.visible;
         sayBegin(frame, uint8_t(OracleLine::Known),
                  CULLSCOPE_TR("The exact picture shows %1 triangles. They are known beforehand, and in no time of the frame."),
                  {double(visible.size())});
-        DrawList list{frame.facing(), {}};
+        DrawList list{frame.facing(), {}, structure.clusters ? structure.clusters->order : nullptr};
         {
             const StageTimer stage(frame, CULLSCOPE_TR("listing"));
-            const bool byObjects = parameters.choice("by") == "objects";
+            const bool byObjects = parameters.choice(kBy) == kObjects;
+            auto cluster = known.clusters.begin();
             for (uint32_t i = 0; i < scene.instances().size(); ++i) {
                 const uint64_t all = scene.meshOf(i).triangleCount();
                 if (all == 0) continue;
                 const std::span<const uint32_t> own = ofObject(scene, i, visible);
-                const uint64_t drawn = own.empty() ? 0 : byObjects ? all : own.size();
-                frame.counters().culledTriangles[size_t(Cause::Hidden)] += all - drawn;
-                if (drawn == all)
+                uint64_t drawn = 0;
+                if (structure.clusters) {
+                    for (; cluster != known.clusters.end() && cluster->instance == i; ++cluster) {
+                        list.ranges.push_back(*cluster);
+                        drawn += cluster->indexCount / 3;
+                    }
+                } else if (drawn = own.empty() ? 0 : byObjects ? all : own.size(); drawn == all) {
                     list.ranges.push_back({i, 0, uint32_t(3 * all)});
-                else
+                } else {
                     addRuns(list, i, scene.firstTriangle(i), own);
+                }
+                frame.counters().culledTriangles[size_t(Cause::Hidden)] += all - drawn;
                 if (frame.recording()) frame.say(end(i, drawn, all));
             }
         }
         frame.draw(std::move(list));
     }
-    [[nodiscard]] Promise promiseOf(const Structure& /*structure*/, const ParameterSet& parameters,
+    [[nodiscard]] Promise promiseOf(const OracleScene& /*structure*/, const ParameterSet& parameters,
                                     Facing /*facing*/) const override {
-        return parameters.choice("by") == "objects" ? Promise::Conservative : Promise::Exact;
+        return parameters.choice(kBy) == "triangles" ? Promise::Exact : Promise::Conservative;
     }
 
 private:
@@ -100,15 +154,18 @@ private:
 }  // namespace
 
 RegisteredStrategy oracle() {
-    StrategyInfo info{
-        "oracle",
-        CULLSCOPE_TR("Oracle"),
-        CULLSCOPE_TR("Draws exactly what is visible, known beforehand: what any culling could gain at most."),
-        "",
-        {facingParameter(), choiceParameter("by", "triangles", CULLSCOPE_TR("What is drawn where any of it is visible."),
-                                            {{"triangles", CULLSCOPE_TR("the visible triangles")},
-                                             {"objects", CULLSCOPE_TR("whole objects of which anything is visible")}})},
-        GlRequirement::Context};
+    StrategyInfo info{"oracle",
+                      CULLSCOPE_TR("Oracle"),
+                      CULLSCOPE_TR("Draws exactly what is visible, known beforehand: what any culling could gain at most."),
+                      "",
+                      {facingParameter(),
+                       readWhenBuilding(choiceParameter(
+                           kBy, "triangles", CULLSCOPE_TR("What is drawn where any of it is visible."),
+                           {{"triangles", CULLSCOPE_TR("the visible triangles")},
+                            {kObjects, CULLSCOPE_TR("whole objects of which anything is visible")},
+                            {kClusters, CULLSCOPE_TR("whole clusters of triangles of which anything is visible")}})),
+                       clusterSizeParameter()},
+                      GlRequirement::Context};
     info.limit = true;
     info.shows = {listingShow({{CULLSCOPE_TR("know what is visible (not timed)"), 0},
                                {CULLSCOPE_TR("for each object"), 0},

@@ -318,15 +318,6 @@ private:
 
 }  // namespace
 
-double boxGrowth(const EyeBox& box, double margin, const View& view) {
-    const Frustum& frustum = view.frustum();
-    const double farthest = std::max(farthestAhead(box, frustum), 0.0);
-    const double nearest = std::max(nearestAhead(box, frustum), frustum.nearDistance);
-    // A rounding of the depth, as a distance.
-    const double rounding = frustum.parallel() ? depthRoom(frustum.farDistance) : 0x1p-22 * farthest * (farthest / nearest);
-    return pixelAtFarthest(box, view) + 2.0 * margin + rounding;
-}
-
 QueryCounters walkByQueries(const InstanceOctree& octree, FrameContext& frame, const QueryOptions& options,
                             std::deque<AskedFrame>& past) {
     return QueryWalk(octree, frame, options, past).run();

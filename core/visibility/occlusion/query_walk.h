@@ -49,9 +49,4 @@ struct QueryCounters {
 QueryCounters walkByQueries(const InstanceOctree& octree, FrameContext& frame, const QueryOptions& options,
                             std::deque<AskedFrame>& past);
 
-/// By how much a box grows on each side before OpenGL is asked about it, in world units: a pixel's width at its farthest
-/// distance, twice the margin of a plane test (`margin`), for the float rounding of the box and of what it holds; and a bound on
-/// the error of an interpolated depth: four roundings of the depth at the box's nearest distance, seen at its farthest.
-[[nodiscard]] double boxGrowth(const EyeBox& box, double margin, const View& view);
-
 }  // namespace cullscope::occlusion

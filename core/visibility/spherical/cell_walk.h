@@ -15,10 +15,6 @@ struct CellTests {
     const KernelHorizon* horizon = nullptr;  ///< null: no horizon test
 };
 
-/// An upper bound on the displacement of a point in the picture, in mesh units for each unit of distance from the eye: by
-/// snapping to 1/256 pixel (taken in full instead of half, once for x and y) and by OpenGL's float rounding.
-[[nodiscard]] double snapping(const ObjectSpaceView& view);
-
 /// Walks the quadtree of an object. A node that is outside one plane, completely back-facing, or hidden behind the kernel is
 /// culled with its subtree; one with no undecided test is drawn without visiting its children; leaves are drawn. Conservative:
 /// nothing visible in the picture is culled, its rounding and its snapping to 1/256 pixel included. `record`, if it is not null,

@@ -6,9 +6,11 @@
 #include "core/visibility/spherical/decision.h"
 #include "core/visibility/spherical/readings.h"
 
-namespace cullscope::spherical {
-
+namespace cullscope {
 class ObjectRecord;
+}
+
+namespace cullscope::spherical {
 
 /// The data of a mesh's maps that the band tests of `spherical` and `spherical-horizon` need, computed once.
 struct BandCells {

@@ -10,6 +10,7 @@
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "core/spatial/spherical_search.h"
+#include "core/visibility/part_walk.h"
 #include "core/visibility/spherical/lazy_maps.h"
 
 namespace cullscope::spherical {
@@ -84,21 +85,13 @@ struct ContourBands : MapCircles {
 
 using cullscope::PlaceRun;
 
-/// A node of a CellTree at which a walk ended, and the result.
-struct JudgedCell {
-    uint32_t node = 0;
-    std::optional<Cause> cause;  ///< why it was culled; none: it is drawn
-    bool bridged = false;        ///< a test left it out, but it is drawn with the ranges on both of its sides
-};
+/// A node of a CellTree at which a walk ended.
+using JudgedCell = cullscope::JudgedNode;
 
-/// The result of `spherical-lossless` for one object's cells.
-struct CellWalk {
-    bool cones = false, horizon = false;         ///< which tests besides the frustum's were applied to the object in this view
-    std::vector<PlaceRun> drawn;                 ///< ascending, disjoint
-    std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
-    uint64_t nodesVisited = 0;
-    std::vector<JudgedCell> judged;  ///< only while a frame is recorded, and as read from it: ascending, disjoint
-    std::vector<Vec3> outline;       ///< only in a recorded frame, with `horizon`: the kernel's outline as seen from the eye
+/// The result of `spherical-lossless` for one object's cells: what hides them is the kernel's horizon.
+struct CellWalk : PartWalk {
+    std::vector<Vec3> outline{};  ///< only in a recorded frame, where the horizon is tested: the kernel's outline as seen from
+                                  ///< the eye
 };
 
 /// The test of one cell by its slope (slope_horizon.h), with the numbers that decided.

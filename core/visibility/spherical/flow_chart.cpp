@@ -4,13 +4,24 @@
 #include "core/visibility/spherical/listings.h"
 
 namespace cullscope::spherical {
-namespace {
-
-enum Box : size_t { Vertices, Maps, Sphere, Outside, Around, Inside, Rays, Search, Hit, Region, Boxes, Bands, Draw, Pipeline };
-
-}  // namespace
-
 FlowChart flowChart() {
+    // Here, so that no name hides a type elsewhere where several sources are compiled as one.
+    enum Box : size_t {
+        Vertices,
+        Maps,
+        Sphere,
+        Outside,
+        Around,
+        Inside,
+        Rays,
+        Search,
+        Hit,
+        Region,
+        Boxes,
+        Bands,
+        Draw,
+        Pipeline
+    };
     using Kind = FlowBox::Kind;
     const auto line = [](BandsLine each) { return uint8_t(each); };
     FlowChart chart;

@@ -25,7 +25,7 @@ Words kernelWords(const MapSnapshot& map) {
     if (!map.kernel) return {CULLSCOPE_TR("No kernel: the horizon is switched off, or the mesh is too small for one")};
     if (!map.kernel->filled())
         return {CULLSCOPE_TR("No kernel: %1"), {Term::marked(InnerKernel::stateName(map.kernel->state()))}};
-    if (map.decision.walk->horizon)
+    if (map.decision.walk->hiding)
         return {CULLSCOPE_TR("Kernel filled to R %1 at least"), {Term::length(map.kernel->leastRadius())}};
     if (map.decision.relation == SphereRelation::AroundEye)
         return {CULLSCOPE_TR("Horizon not used: the eye is inside the bounding sphere")};
@@ -64,7 +64,7 @@ std::vector<Words> walkWords(const MapSnapshot& map) {
     const auto culled = [&](Cause cause) { return walk->culled[size_t(cause)]; };
     return {{CULLSCOPE_TR("Culled: frustum %1 · cones %2 · horizon %3"),
              {Term::count(culled(Cause::OutsideFrustum)), countOrUnused(walk->cones, culled(Cause::BackFacing)),
-              countOrUnused(walk->horizon, culled(Cause::Hidden))}},
+              countOrUnused(walk->hiding, culled(Cause::Hidden))}},
             kernelWords(map)};
 }
 

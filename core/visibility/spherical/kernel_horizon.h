@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/spatial/inner_kernel.h"
+#include "core/visibility/part_walk.h"
 
 namespace cullscope::spherical {
 
@@ -12,11 +13,7 @@ namespace cullscope::spherical {
 class KernelHorizon {
 public:
     /// What is known of the points of a sphere.
-    enum class Reach {
-        Hidden,  ///< all are hidden
-        Open,    ///< some may be hidden
-        Visible  ///< none is hidden by the kernel
-    };
+    using Reach = HidingTest::Reach;
 
     /// `eye` is relative to the kernel's centre, outside the bounding sphere of `radius`. `snap`: displacement of a point by the
     /// picture's snapping, in mesh units for each unit of distance from the eye (see snapping()).

@@ -14,7 +14,7 @@
 #include "core/visibility/spherical/map_shows.h"
 #include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
-#include "core/visibility/spherical/triangles_by_test.h"
+#include "core/visibility/triangles_by_test.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -192,7 +192,7 @@ private:
         for (const PlaceRun& run : walk.drawn) list.ranges.push_back({object.instance, 3 * run.first, 3 * run.count});
         for (size_t cause = 0; cause < kCauseCount; ++cause) counters().culledTriangles[cause] += walk.culled[cause];
         constexpr std::array kCauses{Cause::OutsideFrustum, Cause::BackFacing, Cause::Hidden};
-        const std::array used{true, walk.cones, walk.horizon};
+        const std::array used{true, walk.cones, walk.hiding};
         for (size_t part = 0; part < kCauses.size(); ++part) {
             counters().parts[part].objects += used[part] ? 1 : 0;
             counters().parts[part].culledTriangles += walk.culled[size_t(kCauses[part])];
@@ -215,7 +215,7 @@ public:
         return {kernelStates(own(structure), parameters.boolean("horizon"))};
     }
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& structure, const FrameLog& log) const override {
-        return trianglesByTest(log, structure.scene());
+        return trianglesByTest(log, structure.scene(), CULLSCOPE_TR("horizon of the kernel"));
     }
 
 protected:

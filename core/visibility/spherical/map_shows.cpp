@@ -139,7 +139,7 @@ std::string walkLine(const CellWalk& walk) {
     const auto culled = [&](Cause cause) { return std::to_string(walk.culled[size_t(cause)]) + " " + causeName(cause); };
     return std::to_string(walk.nodesVisited) + " nodes visited; planes: " + culled(Cause::OutsideFrustum) +
            "; cones: " + (walk.cones ? culled(Cause::BackFacing) : "not used") +
-           "; horizon: " + (walk.horizon ? culled(Cause::Hidden) : "not used");
+           "; horizon: " + (walk.hiding ? culled(Cause::Hidden) : "not used");
 }
 
 }  // namespace

@@ -2,17 +2,15 @@
 
 #include <array>
 
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
 #include "core/spatial/spherical_maps.h"
+#include "core/visibility/part_view.h"
 #include "core/visibility/spherical/decision.h"
-#include "core/visibility/spherical/object_record.h"
+#include "core/visibility/object_record.h"
 
 namespace cullscope::spherical {
 
-/// An instance as seen by a view, in the coordinates of its mesh's maps. An affine transform maps sight lines to sight lines, so
-/// that all instances of a mesh share its maps.
-struct ObjectSpaceView {
+/// An instance as seen by a view, in the coordinates of its mesh's maps.
+struct ObjectSpaceView : PartView {
     /// The test of the bounding sphere (an ellipsoid in the world) against one plane, in world units.
     struct PlaneTest {
         Containment containment = Containment::Straddles;
@@ -24,19 +22,10 @@ struct ObjectSpaceView {
     SphereRelation relation = SphereRelation::AroundEye;
     std::array<PlaneTest, 6> planes{};
     size_t planesTested = 0;  ///< tests end at the first plane that the sphere lies outside of
-    Vec3 eye{0.0};
     std::array<Vec3, 4>
         cornerDirections{};   ///< from the eye to the near plane's corners: bottom-left, bottom-right, top-right, top-left
     bool beyondNear = false;  ///< the whole sphere lies beyond the near plane, which therefore clips nothing of it
     double pixelReach = 0.0;  ///< upper bound, in map units, on how far a point moves when it moves by one pixel
-
-    /// The frustum's planes in map coordinates: normal · p + offset is the distance in world units; normals are not of unit
-    /// length.
-    std::array<Plane, 6> planesOnMap{};
-    double margin = 0.0;      ///< of these distances (geometry/frustum.h, conservativeMargin)
-    bool eyeKnown = false;    ///< false: the object is flat, and the eye has no map coordinates
-    double unevenness = 1.0;  ///< ratio of the longest to the shortest world length of a unit length of the map
-    double pixelSlope = 0.0;  ///< the width of a pixel divided by its distance
 };
 
 /// The view of an instance. The relation is never Outside for a sphere that intersects the frustum (margin: geometry/frustum.h,

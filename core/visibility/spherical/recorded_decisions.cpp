@@ -163,7 +163,7 @@ private:
     static void addWalk(SphericalDecision& object, const WalkDetail& detail) {
         CellWalk& walk = object.walk.emplace();
         walk.cones = detail.cones;
-        walk.horizon = detail.horizon;
+        walk.hiding = detail.horizon;
         walk.nodesVisited = detail.nodesVisited;
         walk.outline = detail.outline;
         if (detail.whole == 0) return;

@@ -196,7 +196,7 @@ Pole poleInView(const SphericalMaps& maps, const ObjectSpaceView& view) {
         const Vec3 up(0.0, 0.0, pole == Pole::North ? 1.0 : -1.0);
         const Vec3 point = outermost(maps, pole == Pole::North ? 0 : maps.grid().rows() - 1) * up;
         const bool seen = glm::dot(view.eye - point, up) > 0.0;
-        if (seen && std::ranges::all_of(view.planesOnMap, [&](const Plane& plane) { return plane.distance(point) >= 0.0; }))
+        if (seen && std::ranges::all_of(view.localPlanes, [&](const Plane& plane) { return plane.distance(point) >= 0.0; }))
             return pole;
     }
     return Pole::None;

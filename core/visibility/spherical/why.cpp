@@ -81,7 +81,7 @@ std::optional<Message> conesLeftOut(const CellWalk& walk) {
 }
 
 std::optional<Message> horizonLeftOut(const MapSnapshot& map) {
-    if (map.decision.walk->horizon) return std::nullopt;
+    if (map.decision.walk->hiding) return std::nullopt;
     if (map.kernel && !map.kernel->filled())
         return Message{CULLSCOPE_TR("The kernel's horizon is not used: %1."), {InnerKernel::stateName(map.kernel->state())}};
     return Message{

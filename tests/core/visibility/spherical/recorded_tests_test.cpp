@@ -94,7 +94,7 @@ TEST(RecordedTests, resultOfAWalkIsTheLastThatWasSaidOfItsCells) {
 
 TEST(RecordedTests, cellsOfManyObjectsHaveResultsAlone) {
     std::vector<Mat4> places;
-    for (size_t i = 0; i <= spherical::kMostWithTests; ++i)
+    for (size_t i = 0; i <= kMostWithTests; ++i)
         places.push_back(translation({3.0 * double(i % 9), 3.0 * double(i / 9), 0}));
     const std::vector<MeshPointer> meshes(places.size(), starMesh(7, 2'000));
     const ScenePointer scene = sceneOf(meshes, places);
@@ -117,7 +117,7 @@ TEST(RecordedTests, areSaidWhileTheyAreMade) {
     EXPECT_EQ(cells, 3u);
     // Each part of a decision says its own tests: nothing is left to say after it.
     const auto tests = [](const auto& make) {
-        spherical::ObjectRecord record(0, true);
+        ObjectRecord record(0, true);
         Decision first;
         first.subject = record.subject();
         record.say(first);
@@ -128,12 +128,12 @@ TEST(RecordedTests, areSaidWhileTheyAreMade) {
         return frame.said() - 1;
     };
     size_t walked = 0;
-    const size_t ofRay = tests([&](spherical::ObjectRecord& record) {
+    const size_t ofRay = tests([&](ObjectRecord& record) {
         walked = followCorner(maps, ray, 1, spherical::RayStart::Sphere, &record).walkedCells.size();
     });
     EXPECT_GT(walked, 3u);
     EXPECT_EQ(ofRay, walked + 2) << "its entry, every cell, and what it found";
-    const size_t ofBands = tests([&](spherical::ObjectRecord& record) {
+    const size_t ofBands = tests([&](ObjectRecord& record) {
         spherical::ContourBands bands = spherical::makeBands({3, 0, 0}, 0.1, 8);
         (void)drawnByS(spherical::BandCells(maps), bands, spherical::Cut::ForGood, &record);
     });

@@ -3,7 +3,7 @@
 #include "core/base/message.h"
 #include "core/frame/frame_context.h"
 
-namespace cullscope::spherical {
+namespace cullscope {
 
 /// In a scene of more objects the tests of an object's rays, bands and cells are not recorded, only their results: they would
 /// take hundreds of megabytes.
@@ -37,4 +37,4 @@ private:
     std::vector<LoggedDetail> m_details;  ///< by the numbers of these decisions, ascending
 };
 
-}  // namespace cullscope::spherical
+}  // namespace cullscope

@@ -1,6 +1,6 @@
-#include "core/visibility/spherical/object_record.h"
+#include "core/visibility/object_record.h"
 
-namespace cullscope::spherical {
+namespace cullscope {
 
 void ObjectRecord::attach(std::shared_ptr<const DecisionDetail> detail) {
     m_details.push_back({m_decisions.size() - 1, std::move(detail)});
@@ -14,4 +14,4 @@ void ObjectRecord::sayTo(FrameContext& frame) const {
     }
 }
 
-}  // namespace cullscope::spherical
+}  // namespace cullscope

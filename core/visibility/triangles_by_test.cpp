@@ -1,14 +1,14 @@
-#include "core/visibility/spherical/triangles_by_test.h"
+#include "core/visibility/triangles_by_test.h"
 
 #include <array>
 
 #include "core/base/message.h"
 
-namespace cullscope::spherical {
+namespace cullscope {
 
 Show trianglesByTestShow() { return barsShow("triangles-by-test", CULLSCOPE_TR("Triangles by the test that left them out")); }
 
-Bars trianglesByTest(const FrameLog& log, const Scene& scene) {
+Bars trianglesByTest(const FrameLog& log, const Scene& scene, const char* hiding) {
     std::array<uint64_t, kCauseCount> culled{};
     std::vector<char> byCells(scene.instances().size(), 0);
     for (const Decision& decision : log.decisions) {
@@ -25,7 +25,7 @@ Bars trianglesByTest(const FrameLog& log, const Scene& scene) {
     const auto bar = [&](const char* name, Cause cause) { return Bar{name, culled[size_t(cause)], stateOfCause(cause)}; };
     return {{},
             {bar(CULLSCOPE_TR("planes of the frustum"), Cause::OutsideFrustum),
-             bar(CULLSCOPE_TR("normal cones"), Cause::BackFacing), bar(CULLSCOPE_TR("horizon of the kernel"), Cause::Hidden)}};
+             bar(CULLSCOPE_TR("normal cones"), Cause::BackFacing), bar(hiding, Cause::Hidden)}};
 }
 
-}  // namespace cullscope::spherical
+}  // namespace cullscope

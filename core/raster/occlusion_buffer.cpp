@@ -1,0 +1,268 @@
+#include "core/raster/occlusion_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/raster/kernel_choice.h"
+#include "core/raster/triangle_setup.h"
+
+namespace cullscope {
+namespace {
+
+/// Beyond every depth: of pixels that lie beyond the picture.
+constexpr float kBeyondPicture = 2.0f;
+
+/// Makes a triangle an occluder; none where it is narrower than a pixel, or its plane is none.
+///
+/// The rounding of its depths: a plane is computed from three corners by products and one division, and evaluated from the lower
+/// left pixel. Each step rounds by 2^-24 of its terms, which are at most |depth| + |perColumn| · width + |perRow| · height; the
+/// division's dividend is a difference of products up to the square of the longest edge, so that its relative rounding is
+/// multiplied by that square over the area. Four such roundings are subtracted.
+std::optional<OccluderTriangle> occluderOf(const ScreenTriangle& triangle, const Viewport& size) {
+    constexpr double kPixel = 1.0 / kSubPixels;
+    double longest = 0.0;  // squared, pixels
+    for (int i = 0; i < 3; ++i) {
+        const int next = i == 2 ? 0 : i + 1;
+        const double dx = kPixel * (triangle.x[next] - triangle.x[i]), dy = kPixel * (triangle.y[next] - triangle.y[i]);
+        longest = std::max(longest, dx * dx + dy * dy);
+    }
+    const double twiceArea = kPixel * kPixel *
+                             (double(triangle.x[1] - triangle.x[0]) * (triangle.y[2] - triangle.y[0]) -
+                              double(triangle.x[2] - triangle.x[0]) * (triangle.y[1] - triangle.y[0]));
+    // The height over the longest edge is the least width.
+    if (!(twiceArea * twiceArea >= longest)) return std::nullopt;
+    const double perColumn = triangle.depthPerColumn, perRow = triangle.depthPerRow;
+    const double terms = std::abs(double(triangle.depth)) + std::abs(perColumn) * size.width + std::abs(perRow) * size.height;
+    const double rounding = 0x1p-22 * terms * (1.0 + 2.0 * longest / twiceArea);
+    const double depth = triangle.depth - rounding;
+    double farthest = INFINITY;
+    for (int i = 0; i < 3; ++i)
+        farthest = std::min(farthest, depth + kPixel * (triangle.x[i] * perColumn + triangle.y[i] * perRow));
+    // The pixels' centres lie within the rounded corners, the plane's corners up to 1/256 pixel elsewhere.
+    farthest -= kPixel * (std::abs(perColumn) + std::abs(perRow)) + rounding;
+    if (!std::isfinite(farthest)) return std::nullopt;
+    OccluderTriangle result{};
+    std::ranges::copy(triangle.x, result.x);
+    std::ranges::copy(triangle.y, result.y);
+    result.firstColumn = triangle.firstColumn;
+    result.endColumn = triangle.endColumn;
+    result.firstRow = triangle.firstRow;
+    result.endRow = triangle.endRow;
+    result.depth = float(depth);
+    result.perColumn = triangle.depthPerColumn;
+    result.perRow = triangle.depthPerRow;
+    result.farthest = float(farthest);
+    return result;
+}
+
+int32_t tilesAlong(int32_t pixels, int32_t ofTile) { return (pixels + ofTile - 1) / ofTile; }
+
+/// The pixels of a block that lie in a rectangle given from the block's lower left pixel.
+uint32_t blockBits(int32_t firstColumn, int32_t endColumn, int32_t firstRow, int32_t endRow) {
+    const auto limited = [](int32_t value, int32_t most) { return uint32_t(std::clamp(value, 0, most)); };
+    const uint32_t left = limited(firstColumn, kBlockColumns), right = limited(endColumn, kBlockColumns);
+    const uint32_t low = limited(firstRow, kBlockRows), high = limited(endRow, kBlockRows);
+    if (left >= right || low >= high) return 0;
+    const uint32_t ofRow = (1u << right) - (1u << left);
+    const uint32_t rows = uint32_t((uint64_t{1} << 8 * high) - (uint64_t{1} << 8 * low));
+    return ofRow * 0x01010101u & rows;
+}
+
+}  // namespace
+
+OcclusionBuffer::OcclusionBuffer(OcclusionForm form, RasterSimd simd) : m_form(form), m_simd(simd) {}
+
+void OcclusionBuffer::begin(const View& view) {
+    m_view.emplace(view);
+    m_counts = {};
+    m_cleared = false;
+}
+
+/// A picture without occluders costs nothing: only the first one clears it.
+void OcclusionBuffer::clear() {
+    m_cleared = true;
+    const int32_t width = m_view->viewport().width, height = m_view->viewport().height;
+    m_tilesInRow = tilesAlong(width, kOcclusionColumns);
+    const auto tiles = size_t(m_tilesInRow) * size_t(tilesAlong(height, kOcclusionRows));
+    if (m_form == OcclusionForm::Masked) return m_masked.assign(tiles, MaskedTile{});
+    m_depths.assign(tiles, DepthTile{});
+    m_farthest.assign(tiles, 0.0f);
+    for (int32_t row = 0; row < tilesAlong(height, kOcclusionRows) * kOcclusionRows; ++row)
+        for (int32_t column = row < height ? width : 0; column < m_tilesInRow * kOcclusionColumns; ++column)
+            m_depths[tileAt(column, row)].depth[row % kOcclusionRows * kOcclusionColumns + column % kOcclusionColumns] =
+                kBeyondPicture;
+}
+
+void OcclusionBuffer::draw(const Scene& scene, uint32_t instance, Facing facing, std::span<const Vec3f> positions,
+                           std::span<const uint32_t> indices) {
+    const size_t count = indices.size() / 3;
+    m_counts.given += count;
+    if (count == 0) return;
+    const Viewport& size = m_view->viewport();
+    const Projection projection(*m_view, scene, instance);
+    const RasterFacing sides(scene, instance, facing);
+    m_vertices.resize(std::max(m_vertices.size(), positions.size()));
+    kernelFor<ProjectionKernel>(m_simd, CULLSCOPE_VARIANTS(project))(projection.forKernels(), &positions.front().x,
+                                                                     positions.size(), m_vertices.data());
+    m_places.resize(std::max(m_places.size(), count + 8));
+    // Bands of rows are of no use here: one has them all.
+    kernelFor<PlacingKernel>(m_simd, CULLSCOPE_VARIANTS(place))(
+        {m_vertices.data(), indices.data(), count, size.width, size.height, 1 << 14, Beyond::Unprojectable, sides.front,
+         sides.mirrored},
+        m_places.data());
+    m_triangles.clear();
+    for (size_t i = 0; i < count; ++i) {
+        const uint32_t* corners = &indices[3 * i];
+        switch (m_places[i] % (1u << kFirstBandShift)) {
+            case kPlacedSmall:
+            case kPlacedLarge: {
+                const RasterCorners places(m_vertices[corners[0]], m_vertices[corners[1]], m_vertices[corners[2]]);
+                const int64_t area = places.twiceArea();
+                if (area == 0 || sides.drops(area)) break;
+                if (const std::optional<ScreenTriangle> triangle = screenTriangle(places, area, 1, size)) add(*triangle);
+                break;
+            }
+            case kPlacedBeyond: {
+                m_pieces.clear();
+                const auto clip = [&](size_t corner) { return projection.clip(positions[corners[corner]]); };
+                addClipped(projection, {clip(0), clip(1), clip(2)}, sides, 1, size, m_pieces);
+                for (const ScreenTriangle& piece : m_pieces) add(piece);
+                break;
+            }
+            default:
+                break;
+        }
+    }
+    if (m_triangles.empty()) return;
+    if (!m_cleared) clear();
+    m_counts.drawn += m_triangles.size();
+    kernelFor<OccluderKernel>(m_simd, CULLSCOPE_VARIANTS(drawOccluders))(
+        m_triangles.data(), m_triangles.size(),
+        {m_form == OcclusionForm::Depth ? m_depths.data() : nullptr, m_farthest.data(),
+         m_form == OcclusionForm::Masked ? m_masked.data() : nullptr, m_tilesInRow, size.width, size.height});
+}
+
+void OcclusionBuffer::add(const ScreenTriangle& triangle) {
+    if (const std::optional<OccluderTriangle> occluder = occluderOf(triangle, m_view->viewport()))
+        m_triangles.push_back(*occluder);
+}
+
+std::optional<BoxInPicture> OcclusionBuffer::place(const EyeBox& grown, double towardsEye) const {
+    const Frustum& frustum = m_view->frustum();
+    const Viewport& size = m_view->viewport();
+    const double nearest =
+        glm::dot(frustum.forward, grown.centre) - glm::dot(glm::abs(frustum.forward), grown.halfExtent) - towardsEye;
+    if (!(nearest > frustum.nearDistance)) return std::nullopt;
+    const Mat4& matrix = m_view->clipFromEyeRelative();
+    const auto clipOf = [&](const Vec3& p) {
+        return Vec3(matrix[0].x * p.x + matrix[1].x * p.y + matrix[2].x * p.z,
+                    matrix[0].y * p.x + matrix[1].y * p.y + matrix[2].y * p.z,
+                    matrix[0].w * p.x + matrix[1].w * p.y + matrix[2].w * p.z);
+    };
+    const Vec3 centre = clipOf(grown.centre) + Vec3(matrix[3].x, matrix[3].y, matrix[3].w);
+    const Vec3 alongX = clipOf({grown.halfExtent.x, 0, 0}), alongY = clipOf({0, grown.halfExtent.y, 0}),
+               alongZ = clipOf({0, 0, grown.halfExtent.z});
+    double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 clip = centre + ((corner & 1) != 0 ? alongX : -alongX) + ((corner & 2) != 0 ? alongY : -alongY) +
+                          ((corner & 4) != 0 ? alongZ : -alongZ);
+        const double inverse = 1.0 / clip.z, x = clip.x * inverse, y = clip.y * inverse;
+        left = std::min(left, x);
+        right = std::max(right, x);
+        low = std::min(low, y);
+        high = std::max(high, y);
+    }
+    // The pixels whose centres the box covers, where corners are rounded to 1/256 pixel or a little farther, and one around them.
+    // The comparisons are false for what is not a number.
+    constexpr double kRoom = 1.0 / 64.0;
+    const auto place = [](double clip, int32_t pixels) {
+        return std::clamp((clip + 1.0) * 0.5 * pixels - 0.5, -4.0, double(pixels) + 4.0);
+    };
+    if (!(left <= right) || !(low <= high)) return std::nullopt;
+    BoxInPicture box;
+    box.firstColumn = std::max(int32_t(std::ceil(place(left, size.width) - kRoom)) - 1, 0);
+    box.endColumn = std::min(int32_t(std::floor(place(right, size.width) + kRoom)) + 2, size.width);
+    box.firstRow = std::max(int32_t(std::ceil(place(low, size.height) - kRoom)) - 1, 0);
+    box.endRow = std::min(int32_t(std::floor(place(high, size.height) + kRoom)) + 2, size.height);
+    if (box.firstColumn >= box.endColumn || box.firstRow >= box.endRow) return std::nullopt;
+    // OpenGL's depths are rounded by parts of their largest term: in perspective near / distance, else 1.
+    const double rounding = frustum.parallel() ? 0x1p-20 : 0x1p-19 * frustum.nearDistance / nearest;
+    box.depth = std::nextafter(float(m_view->depthFromDistance(nearest) + rounding), INFINITY);
+    return box;
+}
+
+bool OcclusionBuffer::hides(const BoxInPicture& box) {
+    if (empty()) return false;
+    return m_form == OcclusionForm::Depth ? depthHides(box) : maskedHides(box);
+}
+
+bool OcclusionBuffer::depthHides(const BoxInPicture& box) {
+    for (int32_t row = box.firstRow & -kOcclusionRows; row < box.endRow; row += kOcclusionRows)
+        for (int32_t column = box.firstColumn & -kOcclusionColumns; column < box.endColumn; column += kOcclusionColumns) {
+            const size_t number = tileAt(column, row);
+            const DepthTile& tile = m_depths[number];
+            float& farthest = m_farthest[number];
+            if (farthest == kUnknownFarthest) farthest = *std::ranges::min_element(tile.depth);
+            if (farthest > box.depth) continue;
+            const int32_t firstRow = std::max(box.firstRow - row, 0), endRow = std::min(box.endRow - row, kOcclusionRows);
+            const int32_t first = std::max(box.firstColumn - column, 0),
+                          end = std::min(box.endColumn - column, kOcclusionColumns);
+            for (int32_t r = firstRow; r < endRow; ++r) {
+                float least = kBeyondPicture;
+                for (int32_t c = first; c < end; ++c) least = std::min(least, tile.depth[r * kOcclusionColumns + c]);
+                if (!(least > box.depth)) return false;
+            }
+        }
+    return true;
+}
+
+bool OcclusionBuffer::maskedHides(const BoxInPicture& box) const {
+    for (int32_t row = box.firstRow & -kOcclusionRows; row < box.endRow; row += kOcclusionRows)
+        for (int32_t column = box.firstColumn & -kOcclusionColumns; column < box.endColumn; column += kOcclusionColumns) {
+            const MaskedTile& tile = m_masked[tileAt(column, row)];
+            uint32_t farther = 0;
+            for (int32_t block = 0; block < kBlocks; ++block) farther |= uint32_t(!(tile.whole[block] > box.depth)) << block;
+            for (int32_t block = 0; farther != 0; ++block, farther >>= 1) {
+                if ((farther & 1) == 0) continue;
+                const int32_t left = column + block % kBlocksInRow * kBlockColumns, low = row + block / kBlocksInRow * kBlockRows;
+                const uint32_t asked =
+                    blockBits(box.firstColumn - left, box.endColumn - left, box.firstRow - low, box.endRow - low);
+                if (asked != 0 && ((asked & ~tile.mask[block]) != 0 || !(tile.part[block] > box.depth))) return false;
+            }
+        }
+    return true;
+}
+
+float OcclusionBuffer::depthAt(int32_t column, int32_t row) const {
+    if (!m_cleared) return 0.0f;
+    const size_t number = tileAt(column, row);
+    const int32_t c = column % kOcclusionColumns, r = row % kOcclusionRows;
+    if (m_form == OcclusionForm::Depth) return m_depths[number].depth[r * kOcclusionColumns + c];
+    const MaskedTile& tile = m_masked[number];
+    const int32_t block = r / kBlockRows * kBlocksInRow + c / kBlockColumns;
+    const bool masked = (tile.mask[block] >> (r % kBlockRows * kBlockColumns + c % kBlockColumns) & 1) != 0;
+    return masked ? tile.part[block] : tile.whole[block];
+}
+
+float OcclusionBuffer::farthestIn(const BoxInPicture& box) const {
+    float farthest = kBeyondPicture;
+    for (int32_t row = box.firstRow; row < box.endRow; ++row)
+        for (int32_t column = box.firstColumn; column < box.endColumn; ++column)
+            farthest = std::min(farthest, depthAt(column, row));
+    return farthest;
+}
+
+std::vector<float> OcclusionBuffer::depths() const {
+    const Viewport& size = m_view->viewport();
+    std::vector<float> result;
+    result.reserve(size_t(size.width) * size_t(size.height));
+    for (int32_t row = 0; row < size.height; ++row)
+        for (int32_t column = 0; column < size.width; ++column) result.push_back(depthAt(column, row));
+    return result;
+}
+
+uint64_t OcclusionBuffer::bytes() const {
+    return m_depths.size() * sizeof(DepthTile) + m_farthest.size() * sizeof(float) + m_masked.size() * sizeof(MaskedTile);
+}
+
+}  // namespace cullscope

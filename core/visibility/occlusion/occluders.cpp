@@ -1,0 +1,50 @@
+#include "core/visibility/occlusion/occluders.h"
+
+#include <cmath>
+
+#include "core/visibility/eye_bounds.h"
+
+namespace cullscope::occlusion {
+
+Occluders::Occluders(const Scene& scene, const Progress& progress) : meshes(occluderMeshes(scene, progress)) {
+    areaOfSquares.reserve(scene.instances().size());
+    for (const Instance& instance : scene.instances()) {
+        const double volume = std::abs(glm::determinant(Mat3(instance.worldFromMesh)));
+        areaOfSquares.push_back(std::cbrt(volume * volume));
+    }
+}
+
+uint64_t Occluders::bytes() const {
+    uint64_t sum = areaOfSquares.size() * sizeof(double);
+    for (const OccluderMesh& mesh : meshes) sum += mesh.bytes();
+    return sum;
+}
+
+size_t Occluders::countFrom(const Scene& scene, uint32_t instance, const View& view, double pixels) const {
+    const Box3& box = scene.instanceBox(instance);
+    const Vec3 beyond = glm::max(glm::max(box.min - view.eye(), view.eye() - box.max), Vec3(0.0));
+    const double distance = std::max(glm::length(beyond), view.frustum().nearDistance);
+    const double square = areaOfSquares[instance];
+    if (!(square > 0.0)) return 0;
+    return meshes[scene.instances()[instance].mesh].countFrom(areaOfPixels(view, distance, pixels) / square);
+}
+
+double areaOfPixels(const View& view, double distance, double pixels) {
+    const double pixel = 2.0 * view.frustum().halfHeightAt(distance) / view.viewport().height;
+    return pixels * pixel * pixel;
+}
+
+AskedBox askedBox(const OcclusionBuffer& buffer, const Box3& world, const View& view) {
+    EyeBox box = relativeToEye(world, view.eye());
+    const double margin = marginFromEye(world.centre(), box.centre, glm::length(box.halfExtent), view.eye());
+    AskedBox asked;
+    asked.growth = boxGrowth(box, margin, view);
+    const double rounding = boxRounding(box, margin, view);
+    box.halfExtent += Vec3(rounding);
+    asked.nearest = nearestAhead(box, view.frustum()) - asked.growth;
+    // An infinite box, or one of no numbers, is placed nowhere.
+    asked.place = buffer.place(box, asked.growth);
+    return asked;
+}
+
+}  // namespace cullscope::occlusion
