@@ -184,7 +184,6 @@ std::optional<BoxInPicture> OcclusionBuffer::place(const EyeBox& grown, double t
     box.endColumn = std::min(int32_t(std::floor(place(right, size.width) + kRoom)) + 2, size.width);
     box.firstRow = std::max(int32_t(std::ceil(place(low, size.height) - kRoom)) - 1, 0);
     box.endRow = std::min(int32_t(std::floor(place(high, size.height) + kRoom)) + 2, size.height);
-    if (box.firstColumn >= box.endColumn || box.firstRow >= box.endRow) return std::nullopt;
     // OpenGL's depths are rounded by parts of their largest term: in perspective near / distance, else 1.
     const double rounding = frustum.parallel() ? 0x1p-20 : 0x1p-19 * frustum.nearDistance / nearest;
     box.depth = std::nextafter(float(m_view->depthFromDistance(nearest) + rounding), INFINITY);
