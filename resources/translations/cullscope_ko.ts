@@ -7840,6 +7840,10 @@ OpenGL %2
         <translation>각 그림 위: 속도(같은 면) · 제출한 삼각형 · 놓친 픽셀</translation>
     </message>
     <message>
+        <source>These views draw other sides, so their × have other baselines. A frame takes: %1</source>
+        <translation>이 뷰들은 서로 다른 쪽의 면을 그려 ×의 기준이 다릅니다. 한 프레임의 시간: %1</translation>
+    </message>
+    <message>
         <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
         <comment>a link in the text</comment>
         <translation>다음: %1수업 1%2로 시작하거나, 그림을 끌어 장면을 돌려 보십시오.</translation>

@@ -7840,6 +7840,10 @@ OpenGL %2
         <translation>每幅图像上方：速度（相同面） · 提交的三角形 · 丢失的像素</translation>
     </message>
     <message>
+        <source>These views draw other sides, so their × have other baselines. A frame takes: %1</source>
+        <translation>这些视图绘制的面不同，因此 × 的基准也不同。一帧用时：%1</translation>
+    </message>
+    <message>
         <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
         <comment>a link in the text</comment>
         <translation>下一步：从%1第 1 课%2开始，或在图像中拖动以转动场景。</translation>

@@ -185,7 +185,8 @@ public:
     /// The object that a view's picture shows at a pixel (y upward); waits for the GPU thread. None: the background, or a
     /// question is open.
     [[nodiscard]] std::optional<uint32_t> objectAt(int view, int x, int y);
-    /// Picks what is missing at a lost pixel of a view's picture, or near it, whether lost pixels are marked or not.
+    /// Picks what is missing at a lost pixel of a view's picture, or near it, whether lost pixels are marked or not. No distance
+    /// to what was picked before is measured.
     void pickLostAt(int view, int x, int y);
 
     /// The chosen group of the active view's strategy; none once a strategy was built anew, or something was picked.
