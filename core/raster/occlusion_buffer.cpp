@@ -35,11 +35,16 @@ std::optional<OccluderTriangle> occluderOf(const ScreenTriangle& triangle, const
     const double terms = std::abs(double(triangle.depth)) + std::abs(perColumn) * size.width + std::abs(perRow) * size.height;
     const double rounding = 0x1p-22 * terms * (1.0 + 2.0 * longest / twiceArea);
     const double depth = triangle.depth - rounding;
-    double farthest = INFINITY;
-    for (int i = 0; i < 3; ++i)
-        farthest = std::min(farthest, depth + kPixel * (triangle.x[i] * perColumn + triangle.y[i] * perRow));
+    double farthest = INFINITY, nearest = -INFINITY;
+    for (int i = 0; i < 3; ++i) {
+        const double ofCorner = depth + kPixel * (triangle.x[i] * perColumn + triangle.y[i] * perRow);
+        farthest = std::min(farthest, ofCorner);
+        nearest = std::max(nearest, ofCorner);
+    }
     // The pixels' centres lie within the rounded corners, the plane's corners up to 1/256 pixel elsewhere.
-    farthest -= kPixel * (std::abs(perColumn) + std::abs(perRow)) + rounding;
+    const double elsewhere = kPixel * (std::abs(perColumn) + std::abs(perRow)) + rounding;
+    farthest -= elsewhere;
+    nearest += elsewhere;
     if (!std::isfinite(farthest)) return std::nullopt;
     OccluderTriangle result{};
     std::ranges::copy(triangle.x, result.x);
@@ -51,6 +56,7 @@ std::optional<OccluderTriangle> occluderOf(const ScreenTriangle& triangle, const
     result.depth = float(depth);
     result.perColumn = triangle.depthPerColumn;
     result.perRow = triangle.depthPerRow;
+    result.nearest = float(nearest);
     result.farthest = float(farthest);
     return result;
 }

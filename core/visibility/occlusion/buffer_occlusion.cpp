@@ -187,7 +187,7 @@ RegisteredStrategy withBuffer(OcclusionForm form, StrategyInfo info) {
         facingParameter(),
         bySize({kPixels,
                 ParameterType::Real,
-                64.0,
+                16.0,
                 1.0,
                 1e6,
                 "px",
