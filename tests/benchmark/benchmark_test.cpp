@@ -87,7 +87,8 @@ TEST(Benchmarks, declareWhatTheyVaryAndShow) {
                                       losslessLayouts({"torus", "bunny"}),
                                       softwareRaster({"torus"}, "case-2"),
                                       octreeQueryBesideBackface("layers:count=2,triangles=8", {"bunny"}),
-                                      octreeQueryBesideBackface("layers:count=2,triangles=8", {})};
+                                      octreeQueryBesideBackface("layers:count=2,triangles=8", {}),
+                                      occlusionBuffers("torus", "bunny", 2, {64, 48})};
     for (const Experiment& experiment : experiments) {
         EXPECT_THAT(test::experimentFaults(experiment), testing::IsEmpty()) << experiment.id;
         EXPECT_FALSE(experiment.plots.empty()) << experiment.id;
