@@ -76,7 +76,6 @@ TEST(InTurns, ratioIsTheOneEstimate) {
     EXPECT_EQ(ratioInTurns(slow, fast).ratio, 2.0);
 }
 
-/// The programs' own, which have none here, are asked the same before they run (runAndReport).
 TEST(Benchmarks, declareWhatTheyVaryAndShow) {
     const Experiment experiments[] = {frustumTests(10'000'000),
                                       frustumTests(1'000),
