@@ -64,6 +64,20 @@ std::vector<PlotTick> ticksOf(const PlotAxis& axis, const PlotRange& range, doub
     return ticks;
 }
 
+/// The named ticks of an axis upwards whose labels do not overlap: of two that would, the former one. They need not lie at equal
+/// distances, so that a number of them says nothing about the room.
+std::vector<PlotTick> ticksApart(const std::vector<PlotTick>& named, const PlotRange& range, double length,
+                                 const PlotStyle& style) {
+    std::vector<PlotTick> kept;
+    for (const PlotTick& tick : named) {
+        const auto overlaps = [&](const PlotTick& other) {
+            return std::abs(range.share(tick.value) - range.share(other.value)) * length < style.height;
+        };
+        if (std::ranges::none_of(kept, overlaps)) kept.push_back(tick);
+    }
+    return kept;
+}
+
 double widest(const std::vector<PlotTick>& ticks, const PlotStyle& style) {
     double widest = 0.0;
     for (const PlotTick& tick : ticks) widest = std::max(widest, style.width(tick.label));
@@ -100,7 +114,9 @@ private:
         PlotBox& inner = m_place.box;
         inner.top += m_words.above(m_style);
         inner.bottom -= m_words.below;
-        m_up = ticksOf(m_plot.y, m_place.y, (inner.bottom - inner.top) / (kNumberLeading * m_style.height), m_style);
+        const double length = inner.bottom - inner.top;
+        m_up = m_plot.y.ticks.empty() ? ticksOf(m_plot.y, m_place.y, length / (kNumberLeading * m_style.height), m_style)
+                                      : ticksApart(m_plot.y.ticks, m_place.y, length, m_style);
         inner.left = crisp(inner.left + widest(m_up, m_style) + kTickGap);
         const double number = widest(ticksOf(m_plot.x, m_place.x, 1e9, m_style), m_style);
         m_beyond = number / 2;

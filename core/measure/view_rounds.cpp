@@ -69,7 +69,7 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
             return joined(timed, std::move(work));
         };
         m_places[i].baseline = beside(subject.baseline);
-        m_places[i].fronts = beside(subject.fronts);
+        m_places[i].frontFaces = beside(subject.frontFaces);
     }
     m_rounds = std::make_unique<TimedRounds>(std::move(timed), protocol, backwards);
 }
@@ -128,7 +128,7 @@ void ViewRounds::addTimes(size_t subject, ViewFigures& figures) const {
         return ratioOver({&baseline, 1}, {&own, 1});
     };
     figures.speedup = over(m_places[subject].baseline);
-    figures.speedupOverFronts = over(m_places[subject].fronts);
+    figures.speedupOverFrontFaces = over(m_places[subject].frontFaces);
     if (const BuiltStrategyPointer& baseline = m_subjects[subject].baseline)
         figures.baseline = strategyLabel({baseline->id(), baseline->parameters()});
 }

@@ -18,10 +18,10 @@ struct ViewSubject {
     /// The frame that the view shows already, decided with these memories, with its decisions recorded; null: none. It stands in
     /// the place of the warm-up.
     std::shared_ptr<const FrameLog> shown{};
-    BuiltStrategyPointer baseline{};  ///< is timed in the same turns, at the same view; null: none
-    BuiltStrategyPointer fronts{};    ///< likewise: the strong baseline, where `baseline` draws other sides; null: none
-    bool judged = true;               ///< false: only its times are wanted
-    std::vector<View> others{};       ///< of its pictures behind the first one, which is judged; empty: the same view
+    BuiltStrategyPointer baseline{};    ///< is timed in the same turns, at the same view; null: none
+    BuiltStrategyPointer frontFaces{};  ///< likewise: the strong baseline, where `baseline` draws other sides; null: none
+    bool judged = true;                 ///< false: only its times are wanted
+    std::vector<View> others{};         ///< of its pictures behind the first one, which is judged; empty: the same view
 };
 
 /// Speed and errors of a strategy at a view, as far as they are known. Counts and errors are of the first frame that was timed,
@@ -31,9 +31,9 @@ struct ViewFigures {
     double frameMilliseconds = 0.0;        ///< median, cull + draw
     double cullMilliseconds = 0.0;         ///< median; until the view is timed, of its first timed frame
     std::optional<RatioEstimate> speedup;  ///< over the baseline with the same facing rule: ratioOfTotals of this one view
-    std::optional<RatioEstimate> speedupOverFronts;  ///< over ViewSubject::fronts
-    std::string baseline;                            ///< strategyLabel of what `speedup` is over
-    bool timed = false;                              ///< false: the errors are known, the speed is still being measured
+    std::optional<RatioEstimate> speedupOverFrontFaces;  ///< over ViewSubject::frontFaces
+    std::string baseline;                                ///< strategyLabel of what `speedup` is over
+    bool timed = false;                                  ///< false: the errors are known, the speed is still being measured
     Submitted submitted;
     uint64_t consideredTriangles = 0;  ///< given to OpenGL, whole triangles and fragments alike
     uint64_t sceneTriangles = 0;
@@ -99,7 +99,7 @@ private:
     /// Numbers among the frames that are timed.
     struct Place {
         size_t own = 0;
-        std::optional<size_t> baseline{}, fronts{};
+        std::optional<size_t> baseline{}, frontFaces{};
     };
 
     /// The next subject that is to be judged, of those that show a frame or of those that do not; none: all are.

@@ -35,11 +35,16 @@ std::optional<OccluderTriangle> occluderOf(const ScreenTriangle& triangle, const
     const double terms = std::abs(double(triangle.depth)) + std::abs(perColumn) * size.width + std::abs(perRow) * size.height;
     const double rounding = 0x1p-22 * terms * (1.0 + 2.0 * longest / twiceArea);
     const double depth = triangle.depth - rounding;
-    double farthest = INFINITY;
-    for (int i = 0; i < 3; ++i)
-        farthest = std::min(farthest, depth + kPixel * (triangle.x[i] * perColumn + triangle.y[i] * perRow));
+    double farthest = INFINITY, nearest = -INFINITY;
+    for (int i = 0; i < 3; ++i) {
+        const double ofCorner = depth + kPixel * (triangle.x[i] * perColumn + triangle.y[i] * perRow);
+        farthest = std::min(farthest, ofCorner);
+        nearest = std::max(nearest, ofCorner);
+    }
     // The pixels' centres lie within the rounded corners, the plane's corners up to 1/256 pixel elsewhere.
-    farthest -= kPixel * (std::abs(perColumn) + std::abs(perRow)) + rounding;
+    const double elsewhere = kPixel * (std::abs(perColumn) + std::abs(perRow)) + rounding;
+    farthest -= elsewhere;
+    nearest += elsewhere;
     if (!std::isfinite(farthest)) return std::nullopt;
     OccluderTriangle result{};
     std::ranges::copy(triangle.x, result.x);
@@ -51,6 +56,7 @@ std::optional<OccluderTriangle> occluderOf(const ScreenTriangle& triangle, const
     result.depth = float(depth);
     result.perColumn = triangle.depthPerColumn;
     result.perRow = triangle.depthPerRow;
+    result.nearest = float(nearest);
     result.farthest = float(farthest);
     return result;
 }
@@ -107,7 +113,7 @@ void OcclusionBuffer::draw(const Scene& scene, uint32_t instance, Facing facing,
     m_places.resize(std::max(m_places.size(), count + 8));
     // Bands of rows are of no use here: one has them all.
     kernelFor<PlacingKernel>(m_simd, CULLSCOPE_VARIANTS(place))(
-        {m_vertices.data(), indices.data(), count, size.width, size.height, 1 << 14, Beyond::Nowhere, sides.front,
+        {m_vertices.data(), indices.data(), count, size.width, size.height, 1 << 14, Beyond::Unprojectable, sides.front,
          sides.mirrored},
         m_places.data());
     m_triangles.clear();
@@ -184,7 +190,6 @@ std::optional<BoxInPicture> OcclusionBuffer::place(const EyeBox& grown, double t
     box.endColumn = std::min(int32_t(std::floor(place(right, size.width) + kRoom)) + 2, size.width);
     box.firstRow = std::max(int32_t(std::ceil(place(low, size.height) - kRoom)) - 1, 0);
     box.endRow = std::min(int32_t(std::floor(place(high, size.height) + kRoom)) + 2, size.height);
-    if (box.firstColumn >= box.endColumn || box.firstRow >= box.endRow) return std::nullopt;
     // OpenGL's depths are rounded by parts of their largest term: in perspective near / distance, else 1.
     const double rounding = frustum.parallel() ? 0x1p-20 : 0x1p-19 * frustum.nearDistance / nearest;
     box.depth = std::nextafter(float(m_view->depthFromDistance(nearest) + rounding), INFINITY);

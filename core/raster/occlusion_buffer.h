@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,6 +25,10 @@ struct BoxInPicture {
     int32_t firstColumn = 0, endColumn = 0, firstRow = 0, endRow = 0;
     float depth = 0.0f;  ///< reversed; no point of the box is nearer
 
+    /// 0 where it lies beside the picture.
+    [[nodiscard]] int64_t pixels() const {
+        return int64_t(std::max(endColumn - firstColumn, 0)) * std::max(endRow - firstRow, 0);
+    }
     bool operator==(const BoxInPicture&) const = default;
 };
 
@@ -63,7 +68,7 @@ public:
     [[nodiscard]] const OccluderCounts& counts() const { return m_counts; }
 
     /// Where a box, relative to the eye, lies in the picture, with the pixels around it. None where it reaches before the near
-    /// plane or lies beside the picture: such a box is never hidden. `box` has grown by what the rounding of a picture displaces
+    /// plane: such a box is never hidden. `box` has grown by what the rounding of a picture displaces
     /// (visibility/eye_bounds.h, boxRounding); `towardsEye`: by how much what it holds may seem nearer besides.
     [[nodiscard]] std::optional<BoxInPicture> place(const EyeBox& box, double towardsEye) const;
     /// Whether occluders lie before all of it.

@@ -140,7 +140,9 @@ inline void drawOn(const OccluderTriangle& triangle, const BlockDepths& depths, 
     const float first = triangle.depth + triangle.perColumn * float(column) + triangle.perRow * float(row);
     Floats depth = depths.offset + first;
     depth = depth > triangle.farthest ? depth : Floats{} + triangle.farthest;
-    const Ints drawn = (bits != 0) & (depth > whole);
+    // What lies behind the masked pixels and covers no others adds nothing.
+    const Ints adds = ((bits & ~mask) != 0) | (depth > part);
+    const Ints drawn = (bits != 0) & (depth > whole) & adds;
     bits = drawn ? bits | beyond : Numbers{};
     // The triangle lies farther before the masked pixels than these before the whole block; or it needs none of them.
     const Ints forget = drawn & ((depth - part > part - whole) | (bits == 0xFFFFFFFFu));
@@ -163,7 +165,26 @@ inline void bitsBeyond(const OcclusionTiles& tiles, int32_t column, int32_t row,
     for (int32_t i = 0; i < kOcclusionRows; ++i) bits[i] = i < rows ? right : 0xFFFFFFFFu;
 }
 
+/// Whether a triangle may lie before something of a tile: before the whole of one of its blocks, at least.
+inline bool mayShow(const OccluderTriangle& triangle, const MaskedTile& tile) {
+    Floats whole;
+    load(whole, tile.whole);
+    const Ints before = whole < triangle.nearest;
+    uint64_t words[4];
+    __builtin_memcpy(words, &before, sizeof words);
+    return (words[0] | words[1] | words[2] | words[3]) != 0;
+}
+
 // ---- Triangles
+
+/// Whether one of a row's masked tiles that a triangle reaches may show it. Of many tiles it is not looked for.
+inline bool mayShowInRow(const OccluderTriangle& triangle, const MaskedTile* row) {
+    const int32_t first = triangle.firstColumn / kOcclusionColumns, last = (triangle.endColumn - 1) / kOcclusionColumns;
+    if (last - first > 3) return true;
+    for (int32_t tile = first; tile <= last; ++tile)
+        if (mayShow(triangle, row[tile])) return true;
+    return false;
+}
 
 inline void drawOccluder(const OccluderTriangle& triangle, const OcclusionTiles& tiles) {
     OccluderEdge edges[3];
@@ -171,17 +192,23 @@ inline void drawOccluder(const OccluderTriangle& triangle, const OcclusionTiles&
     BlockDepths depths;
     setUpBlocks(triangle, depths);
     for (int32_t row = triangle.firstRow & -kOcclusionRows; row < triangle.endRow; row += kOcclusionRows) {
+        const size_t firstTile = size_t(row / kOcclusionRows) * size_t(tiles.tilesInRow);
+        if (tiles.masked != nullptr && !mayShowInRow(triangle, tiles.masked + firstTile)) continue;
         OccluderSpans spans;
         spansOf(triangle, edges, row, spans);
-        int32_t least = triangle.endColumn, most = triangle.firstColumn;
-        for (int32_t i = 0; i < kOcclusionRows; ++i) {
-            if (spans.begin[i] >= spans.end[i]) continue;
-            least = spans.begin[i] < least ? spans.begin[i] : least;
-            most = spans.end[i] > most ? spans.end[i] : most;
+        // Empty rows count neither as the first nor as the last column.
+        const Ints some = spans.begin < spans.end;
+        int32_t begins[kOcclusionRows], ends[kOcclusionRows];
+        store<Ints>(begins, some ? spans.begin : Ints{} + triangle.endColumn);
+        store<Ints>(ends, some ? spans.end : Ints{} + triangle.firstColumn);
+        int32_t least = begins[0], most = ends[0];
+        for (int32_t i = 1; i < kOcclusionRows; ++i) {
+            least = begins[i] < least ? begins[i] : least;
+            most = ends[i] > most ? ends[i] : most;
         }
-        const size_t firstTile = size_t(row / kOcclusionRows) * size_t(tiles.tilesInRow);
         for (int32_t column = least & -kOcclusionColumns; column < most; column += kOcclusionColumns) {
             const size_t tile = firstTile + size_t(column / kOcclusionColumns);
+            if (tiles.masked != nullptr && !mayShow(triangle, tiles.masked[tile])) continue;
             Numbers bits;
             bitsOf(spans, column, bits);
             if (tiles.depths != nullptr) {

@@ -33,8 +33,8 @@ struct OccluderTriangle {
     int32_t firstColumn, endColumn, firstRow, endRow;
     /// At the lower left pixel, less a bound on the rounding of all that is computed of it; and the changes by column and row.
     float depth, perColumn, perRow;
-    /// Not nearer than any pixel of the triangle.
-    float farthest;
+    /// No pixel of the triangle in the buffer is nearer, or farther.
+    float nearest, farthest;
 };
 
 /// The tiles of a picture, a row of them after the other, from the bottom. One of the two arrays is null.

@@ -33,7 +33,7 @@ void projectEight(const RasterProjection& projection, const float* positions, Ra
     const Floats columns = Lanes::fused(px * inverse, Floats{} + projection.halfWidth, Floats{} + projection.halfWidth);
     const Floats rows = Lanes::fused(py * inverse, Floats{} + projection.halfHeight, Floats{} + projection.halfHeight);
     const Floats depth = pz * inverse;
-    const Ints flags = somewhere ? beyond : Ints{} + projection.nowhere;
+    const Ints flags = somewhere ? beyond : Ints{} + projection.unprojectable;
     for (int i = 0; i < 8; ++i) vertices[i] = {columns[i], rows[i], depth[i], uint32_t(flags[i])};
 }
 
@@ -116,7 +116,7 @@ void placeTriangles(const RasterPlacing& placing, uint32_t* places) {
         result = area == 0 ? number(kPlacedWithoutSample) : result;
         result = small ? result : number(kPlacedLarge);
         result = any != 0 ? number(kPlacedBeyond) : result;
-        result = ((all != 0) | ((any & placing.nowhere) != 0)) ? number(kPlacedOutside) : result;
+        result = ((all != 0) | ((any & placing.unprojectable) != 0)) ? number(kPlacedOutside) : result;
         store<Ints>(places + first, result);
     }
 }

@@ -49,8 +49,8 @@ public:
     void addAll(size_t count, PlacingKernel* kernel) {
         m_part.given = count;
         uint32_t places[kPartTriangles + 8];
-        kernel({m_part.vertices, m_part.indices, count, m_size.width, m_size.height, kBandRows, Beyond::Nowhere, m_facing.front,
-                m_facing.mirrored},
+        kernel({m_part.vertices, m_part.indices, count, m_size.width, m_size.height, kBandRows, Beyond::Unprojectable,
+                m_facing.front, m_facing.mirrored},
                places);
         for (size_t triangle = 0; triangle < count; ++triangle) {
             const uint32_t place = places[triangle];

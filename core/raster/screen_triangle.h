@@ -111,7 +111,7 @@ struct RasterPlacing {
     const uint32_t* indices;  ///< three of each triangle
     size_t count;
     int32_t width, height, bandRows;  ///< of the picture; a power of two
-    int32_t nowhere;                  ///< a bit of RasterVertex::beyond that a single corner suffices for
+    int32_t unprojectable;            ///< a bit of RasterVertex::beyond that a single corner suffices for
     bool front, mirrored;             ///< as RasterFacing
 };
 /// Gives a number for every triangle, eight at a time: `places` has room up to the next multiple of eight.
@@ -123,7 +123,7 @@ PlacingKernel placePortable, placeAvx2, placeAvx512;
 struct RasterProjection {
     float columns[4][4];
     float halfWidth, halfHeight;
-    int32_t right, left, top, bottom, far, near, nowhere;  ///< how RasterVertex::beyond names the planes
+    int32_t right, left, top, bottom, far, near, unprojectable;  ///< how RasterVertex::beyond names the planes
 };
 
 /// Projects positions, three numbers each.

@@ -73,17 +73,17 @@ RasterProjection Projection::forKernels() const {
     result.bottom = Beyond::Bottom;
     result.far = Beyond::Far;
     result.near = Beyond::Near;
-    result.nowhere = Beyond::Nowhere;
+    result.unprojectable = Beyond::Unprojectable;
     return result;
 }
 
 uint32_t Projection::beyond(const Clip& clip) {
     const float x = clip[0], y = clip[1], z = clip[2], w = clip[3];
     // The comparison is false for what is not a number.
-    if (!(std::abs(x) + std::abs(y) + std::abs(z) + std::abs(w) < 0x1p100f)) return Beyond::Nowhere;
+    if (!(std::abs(x) + std::abs(y) + std::abs(z) + std::abs(w) < 0x1p100f)) return Beyond::Unprojectable;
     const uint32_t result = (x > w ? Beyond::Right : 0u) | (x < -w ? Beyond::Left : 0u) | (y > w ? Beyond::Top : 0u) |
                             (y < -w ? Beyond::Bottom : 0u) | (z < 0.0f ? Beyond::Far : 0u) | (z > w ? Beyond::Near : 0u);
-    return result == 0 && !(w > 0.0f) ? uint32_t(Beyond::Nowhere) : result;
+    return result == 0 && !(w > 0.0f) ? uint32_t(Beyond::Unprojectable) : result;
 }
 
 RasterVertex Projection::vertex(const Clip& clip) const {

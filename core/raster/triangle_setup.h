@@ -19,7 +19,7 @@ using Clip = float __attribute__((vector_size(16)));  // x, y, z, w
 
 /// Beyond which planes a vertex lies, in the order in which triangles are clipped.
 struct Beyond {
-    enum : uint32_t { Right = 1, Left = 2, Top = 4, Bottom = 8, Far = 16, Near = 32, Nowhere = 64 };
+    enum : uint32_t { Right = 1, Left = 2, Top = 4, Bottom = 8, Far = 16, Near = 32, Unprojectable = 64 };
     static constexpr int kPlanes = 6;
 };
 

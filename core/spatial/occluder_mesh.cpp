@@ -24,11 +24,11 @@ float areaOf(const TriangleMesh& mesh, uint32_t triangle) {
 }  // namespace
 
 size_t OccluderMesh::countFrom(double area) const {
-    return size_t(std::ranges::partition_point(areas, [area](float own) { return double(own) >= area; }) - areas.begin());
+    return size_t(std::ranges::partition_point(means, [area](float mean) { return double(mean) >= area; }) - means.begin());
 }
 
 uint64_t OccluderMesh::bytes() const {
-    return positions.size() * sizeof(Vec3f) + areas.size() * sizeof(float) +
+    return positions.size() * sizeof(Vec3f) + means.size() * sizeof(float) +
            (indices.size() + triangles.size() + vertices.size()) * sizeof(uint32_t);
 }
 
@@ -50,6 +50,7 @@ OccluderMesh occluderMesh(const TriangleMesh& mesh, std::span<const uint32_t> tr
     std::sort(sized.begin(), sized.end());
     OccluderMesh result;
     std::unordered_map<uint32_t, uint32_t> places;
+    double sum = 0.0;
     for (const Sized& one : sized) {
         for (size_t corner = 0; corner < 3; ++corner) {
             const uint32_t vertex = mesh.indices()[3 * size_t(one.triangle) + corner];
@@ -58,7 +59,8 @@ OccluderMesh occluderMesh(const TriangleMesh& mesh, std::span<const uint32_t> tr
             result.indices.push_back(place->second);
         }
         result.triangles.push_back(one.triangle);
-        result.areas.push_back(one.area);
+        sum += one.area;
+        result.means.push_back(float(sum / double(result.triangles.size())));
         result.vertices.push_back(uint32_t(result.positions.size()));
     }
     return result;

@@ -17,11 +17,12 @@ struct OccluderMesh {
     std::vector<Vec3f> positions;     ///< of the mesh, in the order in which the triangles use them
     std::vector<uint32_t> indices;    ///< three of each triangle, into `positions`
     std::vector<uint32_t> triangles;  ///< numbers in the mesh
-    std::vector<float> areas;         ///< in squared units of the mesh, descending
-    std::vector<uint32_t> vertices;   ///< by triangle: how many positions it and those before it use
+    /// By triangle: the mean area of it and those before it, in squared units of the mesh; descending.
+    std::vector<float> means;
+    std::vector<uint32_t> vertices;  ///< by triangle: how many positions it and those before it use
 
     [[nodiscard]] size_t count() const { return triangles.size(); }
-    /// How many triangles have at least this area.
+    /// How many of the largest triangles have at least this area each on average.
     [[nodiscard]] size_t countFrom(double area) const;
     [[nodiscard]] uint64_t bytes() const;
 };

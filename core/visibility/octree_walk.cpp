@@ -67,7 +67,7 @@ public:
           m_memory(options.memory),
           m_refine(options.refine),
           m_lines(options.lines),
-          m_visited(options.visited) {}
+          m_options(options) {}
 
     /// Recursive, at most InstanceOctree::kMaxDepth calls deep.
     void visit(uint32_t number, uint32_t mask) {
@@ -92,20 +92,44 @@ public:
         }
         if (test.outside)
             drop(number, node);
-        else if (m_visited && !m_visited(number, test.planes))
+        else if (m_options.visited && !m_options.visited(number, test.planes))
             return;
-        else if (test.planes == 0 && !m_visited)
+        else if (test.planes == 0 && !m_options.visited)
             keep(number, node);
-        else if (node.leaf())
-            for (const uint32_t instance : m_tree.instancesOf(node)) testObject(instance, test.planes, uint8_t(node.depth + 1));
         else
-            for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child) visit(child, test.planes);
+            visitParts(node, test.planes);
     }
 
     std::vector<KeptObject> kept;
     OctreeWalkCounters counters;
 
 private:
+    void visitParts(const InstanceOctree::Node& node, uint32_t planes) {
+        const auto visitPart = [&](uint32_t part) {
+            if (node.leaf())
+                testObject(part, planes, uint8_t(node.depth + 1));
+            else
+                visit(part, planes);
+        };
+        if (!m_options.nearestFirst) {
+            for (uint32_t i = 0; i < (node.leaf() ? node.count : node.childCount); ++i) visitPart(partOf(node, i));
+            return;
+        }
+        std::vector<std::pair<double, uint32_t>> parts;
+        for (uint32_t i = 0; i < (node.leaf() ? node.count : node.childCount); ++i) {
+            const uint32_t part = partOf(node, i);
+            const Box3& box = node.leaf() ? m_scene.instanceBox(part) : m_tree.boxOf(part);
+            const Vec3 beyond = glm::max(glm::max(box.min - m_eye, m_eye - box.max), Vec3(0.0));
+            parts.emplace_back(glm::dot(beyond, beyond), part);
+        }
+        std::ranges::stable_sort(parts, {}, &std::pair<double, uint32_t>::first);
+        for (const auto& [distance, part] : parts) visitPart(part);
+    }
+    /// A child of a node, or an object of a leaf.
+    [[nodiscard]] uint32_t partOf(const InstanceOctree::Node& node, uint32_t i) const {
+        return node.leaf() ? m_tree.instancesOf(node)[i] : node.firstChild + i;
+    }
+
     /// Whether separating axes are to be tested after the planes; counts the test.
     bool needsAxes(const MaskedTest& test) {
         if (!m_refine || test.outside || !mayBeSeparated(test.planes)) return false;
@@ -114,7 +138,7 @@ private:
     }
 
     void testObject(uint32_t instance, uint32_t mask, uint8_t depth) {
-        if (mask == 0) return kept.push_back({instance, 0});
+        if (mask == 0) return keepObject(instance, 0, depth);
         ++counters.objectsTested;
         const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
         const Subject subject = Subject::ofObject(instance);
@@ -131,10 +155,14 @@ private:
             test.outside = separated(m_frustum, bounds.box, bounds.margin) || separated(m_frustum, bounds.sphere, bounds.margin);
             if (m_recording) say(m_lines.objectTests, axisTest(subject, test.outside, bounds.margin), depth);
         }
-        if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
+        if (!test.outside) return keepObject(instance, uint8_t(test.planes), depth);
         ++counters.objectsCulled;
         counters.trianglesCulled += m_scene.meshOf(instance).triangleCount();
         if (m_recording) say(m_lines.objectOutside, ending(subject, Decision::Outcome::Culled), depth);
+    }
+
+    void keepObject(uint32_t instance, uint8_t planes, uint8_t depth) {
+        if (!m_options.keeps || m_options.keeps(instance, depth)) kept.push_back({instance, planes});
     }
 
     void drop(uint32_t number, const InstanceOctree::Node& node) {
@@ -172,7 +200,7 @@ private:
     LastFailedPlanes* m_memory;
     bool m_refine;
     OctreeWalkLines m_lines;
-    const std::function<bool(uint32_t, uint32_t)>& m_visited;
+    const OctreeWalkOptions& m_options;
 };
 
 /// What a recorded walk found for a group.

@@ -80,6 +80,12 @@ struct OctreeWalkOptions {
     /// returns whether the walk goes on below the node, or with its objects in a leaf. Then no node is kept as a whole without
     /// being visited. Empty: the walk goes on.
     std::function<bool(uint32_t node, uint32_t planes)> visited{};
+    /// Hears of an object that is outside no plane, after `visited` of its leaf. It returns whether the object is kept; one that
+    /// is not is its own to count and to say. Empty: the object is kept.
+    std::function<bool(uint32_t instance, uint8_t nesting)> keeps{};
+    /// The parts of a node, and the objects of a leaf, are visited by their distance from the eye, the nearest first, in place of
+    /// the octree's order.
+    bool nearestFirst = false;
 };
 
 /// The objects of a scene that intersect a view's frustum, in the octree's order. The walk tests groups: a group outside a plane

@@ -10,6 +10,7 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/occlusion/buffer_occlusion.h"
 #include "core/visibility/occlusion/clusters.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/ordering/ordering.h"
@@ -40,6 +41,8 @@ const std::vector<RegisteredStrategy>& strategies() {
         spherical::sphericalLossless(),
         software::depthBuffer(),
         software::scanLine(),
+        occlusion::occlusionDepth(),
+        occlusion::occlusionMasked(),
         occlusion::octreeQuery(),
         occlusion::clusters(),
         ordering::painter(),

@@ -13,7 +13,7 @@ layout(location = 0) flat out vec3 corners[3];
 layout(location = 3) flat out vec3 normals[3];
 
 const float pi = 3.14159265358979;
-const float slack = 1e-3;        // radians, covers the inaccuracy of atan; it only enlarges the rectangle
+const float margin = 1e-3;        // radians, covers the inaccuracy of atan; it only enlarges the rectangle
 const float poleSlack = 1e-6;
 
 float zenith(vec3 direction) { return atan(length(direction.xy), direction.z); }
@@ -67,7 +67,7 @@ void main() {
         float side = n.z * dot(n, fromCentre[0]);
         if (side >= 0.0) zeniths.x = 0.0;
         if (side <= 0.0) zeniths.y = pi;
-        emitRectangle(zeniths + vec2(-slack, slack), vec2(0.0, 2.0 * pi));
+        emitRectangle(zeniths + vec2(-margin, margin), vec2(0.0, 2.0 * pi));
         return;
     }
     float first = atan(a.y, a.x);
@@ -75,8 +75,8 @@ void main() {
     widen(azimuths, nearestTurn(atan(b.y, b.x), first));
     widen(azimuths, nearestTurn(atan(c.y, c.x), first));
     azimuths -= 2.0 * pi * floor(azimuths.x / (2.0 * pi));
-    zeniths += vec2(-slack, slack);
-    azimuths += vec2(-slack, slack);
+    zeniths += vec2(-margin, margin);
+    azimuths += vec2(-margin, margin);
     emitRectangle(zeniths, azimuths);
     if (azimuths.y > 2.0 * pi) emitRectangle(zeniths, azimuths - 2.0 * pi);
 }

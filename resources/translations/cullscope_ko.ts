@@ -6657,6 +6657,122 @@
         <source>pose</source>
         <translation>자세</translation>
     </message>
+    <message>
+        <source>objects hidden one by one</source>
+        <translation>하나씩 가려진 물체</translation>
+    </message>
+    <message>
+        <source>objects that occlude</source>
+        <translation>가리는 물체</translation>
+    </message>
+    <message>
+        <source>walk and occluders</source>
+        <translation>순회와 가림체</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box no occluder hides.</source>
+        <translation>물체 %1개의 그룹에 있으며, 그 상자를 가리는 가림체가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Occluders</source>
+        <translation>가림체</translation>
+    </message>
+    <message>
+        <source>&amp;Occluders</source>
+        <translation>가림체(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show in the active view which triangles hide what lies behind them</source>
+        <translation>어느 삼각형이 뒤에 있는 것을 가리는지 활성 보기에 표시합니다</translation>
+    </message>
+    <message>
+        <source>drawn as an occluder</source>
+        <translation>가림체로 그려짐</translation>
+    </message>
+    <message>
+        <source>ask the buffer: is its box hidden?</source>
+        <translation>버퍼에 묻기: 상자가 가려지는가?</translation>
+    </message>
+    <message>
+        <source>yes: hidden, leave all its objects out</source>
+        <translation>예: 가려짐, 그 물체를 모두 제외</translation>
+    </message>
+    <message>
+        <source>no: visit(parts), nearest first</source>
+        <translation>아니요: 가까운 것부터 visit(부분)</translation>
+    </message>
+    <message>
+        <source>an object: test and ask likewise</source>
+        <translation>물체: 똑같이 검사하고 묻기</translation>
+    </message>
+    <message>
+        <source>not hidden: put it into the buffer</source>
+        <translation>가려지지 않음: 버퍼에 넣기</translation>
+    </message>
+    <message>
+        <source>ask again about each object kept</source>
+        <translation>남긴 물체마다 다시 묻기</translation>
+    </message>
+    <message>
+        <source>How many pixels the triangles of an occluder have on average, seen face on: smaller ones hide little.</source>
+        <translation>가림체의 삼각형을 정면에서 보았을 때의 평균 픽셀 수. 더 작은 것은 거의 가리지 못합니다.</translation>
+    </message>
+    <message>
+        <source>How many triangles all occluders of a frame may have together.</source>
+        <translation>한 프레임의 모든 가림체가 합쳐서 가질 수 있는 삼각형 수.</translation>
+    </message>
+    <message>
+        <source>What occluders hid</source>
+        <translation>가림체가 가린 것</translation>
+    </message>
+    <message>
+        <source>Occlusion by a depth buffer in software</source>
+        <translation>소프트웨어 깊이 버퍼에 의한 가림</translation>
+    </message>
+    <message>
+        <source>Draws the largest triangles of near objects into a depth buffer on the processor, and leaves out what lies behind them.</source>
+        <translation>가까운 물체의 가장 큰 삼각형을 프로세서에서 깊이 버퍼에 그리고, 그 뒤에 있는 것을 제외합니다.</translation>
+    </message>
+    <message>
+        <source>Masked occlusion in software</source>
+        <translation>소프트웨어 마스크 가림</translation>
+    </message>
+    <message>
+        <source>As occlusion by a depth buffer, with two depths and a mask for 32 pixels: much faster, and hides nearly as much.</source>
+        <translation>깊이 버퍼에 의한 가림과 같지만 32픽셀마다 깊이 두 개와 마스크 하나를 씁니다. 훨씬 빠르고 거의 그만큼 가립니다.</translation>
+    </message>
+    <message>
+        <source>Its %1 largest triangles go into the buffer: facing the eye at its nearest point they have at least %2 pixels on average.</source>
+        <translation>가장 큰 삼각형 %1개가 버퍼에 들어갑니다. 가장 가까운 점에서 정면으로 보면 평균 %2픽셀 이상입니다.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the buffer yet that could hide its box: it counts as visible.</source>
+        <translation>상자를 가릴 수 있는 것이 아직 버퍼에 없습니다. 보이는 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and occluders hide each of them.</source>
+        <translation>삼각형은 더 작은 상자 %1개에 있고, 가림체가 그 모두를 가립니다.</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and occluders do not hide all of them.</source>
+        <translation>삼각형은 더 작은 상자 %1개에 있고, 가림체가 그 모두를 가리지는 못합니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, reaches before the near plane or lies beside the picture: it counts as visible.</source>
+        <translation>%1만큼 키운 상자가 가까운 평면 앞까지 닿거나 그림 옆에 있습니다. 보이는 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: one of them shows no occluder, so it counts as visible.</source>
+        <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작해 많아야 %3픽셀을 덮습니다. 그 가운데 가림체가 없는 픽셀이 있으므로 보이는 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, the farthest %4 ahead, which hide it.</source>
+        <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작해 많아야 %3픽셀을 덮습니다. 모두에 가림체가 있고 가장 먼 것이 앞쪽 %4에 있어 상자를 가립니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, but the farthest is %4 ahead, so it counts as visible.</source>
+        <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작해 많아야 %3픽셀을 덮습니다. 모두에 가림체가 있지만 가장 먼 것이 앞쪽 %4에 있으므로 보이는 것으로 칩니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -7722,6 +7838,10 @@ OpenGL %2
     <message>
         <source>Over each picture: speed, same sides drawn · triangles submitted · pixels missed</source>
         <translation>각 그림 위: 속도(같은 면) · 제출한 삼각형 · 놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>These views draw other sides, so their × have other baselines. A frame takes: %1</source>
+        <translation>이 뷰들은 서로 다른 쪽의 면을 그려 ×의 기준이 다릅니다. 한 프레임의 시간: %1</translation>
     </message>
     <message>
         <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
@@ -10030,6 +10150,10 @@ sides [95 %]</source>
     <message>
         <source>missed pixels: %1, nearer than the truth: %2</source>
         <translation>놓친 픽셀: %1, 참값보다 가까운 픽셀: %2</translation>
+    </message>
+    <message>
+        <source>missed pixels: %1, within snapping and not lost: %2, nearer than the truth: %3</source>
+        <translation>놓친 픽셀: %1, 맞춤 안에 있어 놓치지 않은 픽셀: %2, 참값보다 가까운 픽셀: %3</translation>
     </message>
     <message>
         <source>difference within snapping %1 of %2, pixels: %3</source>

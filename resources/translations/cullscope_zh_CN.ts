@@ -6657,6 +6657,122 @@
         <source>pose</source>
         <translation>视点</translation>
     </message>
+    <message>
+        <source>objects hidden one by one</source>
+        <translation>逐个被遮挡的物体</translation>
+    </message>
+    <message>
+        <source>objects that occlude</source>
+        <translation>起遮挡作用的物体</translation>
+    </message>
+    <message>
+        <source>walk and occluders</source>
+        <translation>遍历与遮挡体</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box no occluder hides.</source>
+        <translation>它位于含 %1 个物体的组中，没有遮挡体遮住该组的盒。</translation>
+    </message>
+    <message>
+        <source>Occluders</source>
+        <translation>遮挡体</translation>
+    </message>
+    <message>
+        <source>&amp;Occluders</source>
+        <translation>遮挡体(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show in the active view which triangles hide what lies behind them</source>
+        <translation>在活动视图中显示哪些三角形遮住其后的内容</translation>
+    </message>
+    <message>
+        <source>drawn as an occluder</source>
+        <translation>作为遮挡体绘制</translation>
+    </message>
+    <message>
+        <source>ask the buffer: is its box hidden?</source>
+        <translation>询问缓冲：它的盒被遮挡吗？</translation>
+    </message>
+    <message>
+        <source>yes: hidden, leave all its objects out</source>
+        <translation>是：被遮挡，略去其全部物体</translation>
+    </message>
+    <message>
+        <source>no: visit(parts), nearest first</source>
+        <translation>否：visit(各部分)，近者优先</translation>
+    </message>
+    <message>
+        <source>an object: test and ask likewise</source>
+        <translation>物体：同样测试并询问</translation>
+    </message>
+    <message>
+        <source>not hidden: put it into the buffer</source>
+        <translation>未被遮挡：放入缓冲</translation>
+    </message>
+    <message>
+        <source>ask again about each object kept</source>
+        <translation>对保留的每个物体再问一次</translation>
+    </message>
+    <message>
+        <source>How many pixels the triangles of an occluder have on average, seen face on: smaller ones hide little.</source>
+        <translation>遮挡体的三角形正对视点时平均有多少像素：更小的几乎遮不住什么。</translation>
+    </message>
+    <message>
+        <source>How many triangles all occluders of a frame may have together.</source>
+        <translation>一帧的所有遮挡体合计最多可有多少三角形。</translation>
+    </message>
+    <message>
+        <source>What occluders hid</source>
+        <translation>遮挡体遮住的内容</translation>
+    </message>
+    <message>
+        <source>Occlusion by a depth buffer in software</source>
+        <translation>软件深度缓冲遮挡剔除</translation>
+    </message>
+    <message>
+        <source>Draws the largest triangles of near objects into a depth buffer on the processor, and leaves out what lies behind them.</source>
+        <translation>在处理器上把近处物体最大的三角形画入深度缓冲，并略去其后的内容。</translation>
+    </message>
+    <message>
+        <source>Masked occlusion in software</source>
+        <translation>软件掩码遮挡剔除</translation>
+    </message>
+    <message>
+        <source>As occlusion by a depth buffer, with two depths and a mask for 32 pixels: much faster, and hides nearly as much.</source>
+        <translation>与深度缓冲遮挡相同，但每 32 个像素只用两个深度和一个掩码：快得多，遮挡的几乎一样多。</translation>
+    </message>
+    <message>
+        <source>Its %1 largest triangles go into the buffer: facing the eye at its nearest point they have at least %2 pixels on average.</source>
+        <translation>其最大的 %1 个三角形进入缓冲：在最近点正对视点时，平均至少有 %2 个像素。</translation>
+    </message>
+    <message>
+        <source>Nothing is in the buffer yet that could hide its box: it counts as visible.</source>
+        <translation>缓冲中还没有能遮住它的盒的内容：视为可见。</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and occluders hide each of them.</source>
+        <translation>它的三角形位于 %1 个更小的盒中，遮挡体遮住了每一个。</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and occluders do not hide all of them.</source>
+        <translation>它的三角形位于 %1 个更小的盒中，遮挡体没有全部遮住。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, reaches before the near plane or lies beside the picture: it counts as visible.</source>
+        <translation>扩大 %1 后的盒伸到近平面之前，或位于画面之外：视为可见。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: one of them shows no occluder, so it counts as visible.</source>
+        <translation>扩大 %1 后的盒始于前方 %2 处，最多覆盖 %3 个像素：其中有像素没有遮挡体，故视为可见。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, the farthest %4 ahead, which hide it.</source>
+        <translation>扩大 %1 后的盒始于前方 %2 处，最多覆盖 %3 个像素：所有像素都有遮挡体，最远的在前方 %4 处，将它遮住。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, but the farthest is %4 ahead, so it counts as visible.</source>
+        <translation>扩大 %1 后的盒始于前方 %2 处，最多覆盖 %3 个像素：所有像素都有遮挡体，但最远的在前方 %4 处，故视为可见。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -7722,6 +7838,10 @@ OpenGL %2
     <message>
         <source>Over each picture: speed, same sides drawn · triangles submitted · pixels missed</source>
         <translation>每幅图像上方：速度（相同面） · 提交的三角形 · 丢失的像素</translation>
+    </message>
+    <message>
+        <source>These views draw other sides, so their × have other baselines. A frame takes: %1</source>
+        <translation>这些视图绘制的面不同，因此 × 的基准也不同。一帧用时：%1</translation>
     </message>
     <message>
         <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
@@ -10030,6 +10150,10 @@ sides [95 %]</source>
     <message>
         <source>missed pixels: %1, nearer than the truth: %2</source>
         <translation>丢失的像素：%1，比真值更近的像素：%2</translation>
+    </message>
+    <message>
+        <source>missed pixels: %1, within snapping and not lost: %2, nearer than the truth: %3</source>
+        <translation>丢失的像素：%1，对齐误差之内、未丢失的像素：%2，比真值更近的像素：%3</translation>
     </message>
     <message>
         <source>difference within snapping %1 of %2, pixels: %3</source>

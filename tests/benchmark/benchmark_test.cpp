@@ -76,7 +76,6 @@ TEST(InTurns, ratioIsTheOneEstimate) {
     EXPECT_EQ(ratioInTurns(slow, fast).ratio, 2.0);
 }
 
-/// The programs' own, which have none here, are asked the same before they run (runAndReport).
 TEST(Benchmarks, declareWhatTheyVaryAndShow) {
     const Experiment experiments[] = {frustumTests(10'000'000),
                                       frustumTests(1'000),
@@ -87,7 +86,8 @@ TEST(Benchmarks, declareWhatTheyVaryAndShow) {
                                       losslessLayouts({"torus", "bunny"}),
                                       softwareRaster({"torus"}, "case-2"),
                                       octreeQueryBesideBackface("layers:count=2,triangles=8", {"bunny"}),
-                                      octreeQueryBesideBackface("layers:count=2,triangles=8", {})};
+                                      octreeQueryBesideBackface("layers:count=2,triangles=8", {}),
+                                      occlusionBuffers("torus", "bunny", 2, {64, 48})};
     for (const Experiment& experiment : experiments) {
         EXPECT_THAT(test::experimentFaults(experiment), testing::IsEmpty()) << experiment.id;
         EXPECT_FALSE(experiment.plots.empty()) << experiment.id;

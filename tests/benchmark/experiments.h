@@ -44,5 +44,9 @@ struct LosslessCullSize {
 /// on walks through other scenes.
 [[nodiscard]] Experiment octreeQueryBesideBackface(const std::string& layers, const std::vector<std::string>& others,
                                                    const Viewport& size = {});
+/// Both forms of occlusion buffers on one processor: a picture of all occluders, and a question about each object, from poses of
+/// a tour of the objects.
+[[nodiscard]] Experiment occlusionBuffers(const std::string& occluders, const std::string& objects, size_t poses,
+                                          const Viewport& size);
 
 }  // namespace cullscope::benchmark

@@ -62,7 +62,7 @@ private:
 std::vector<Offence> strategyWordOffences(const fs::path& root, const std::vector<std::string>& ids) {
     // Words of other things, too: of what any view shows, and in identifiers of Qt's and OpenGL's. These are strategies only
     // where a literal has nothing else than strategies. No place outside visibility and experiments needs such a literal.
-    static const std::set<std::string> kOrdinary{"all", "frustum", "painter", "recorded", "spherical"};
+    static const std::set<std::string> kOrdinary{"all", "clusters", "frustum", "painter", "recorded", "spherical"};
     static const std::set<std::string> kOthersIdentifiers{"depth-buffer", "scan-line"};
     static const std::regex kLiteral(R"re("(([^"\\]|\\.)*)")re"), kNewLine(R"(\\n)");
     std::vector<IdPatterns> patterns;

@@ -1,5 +1,6 @@
 // What a first start shows: something lost beside nothing lost, and one next action.
 #include "tests/ui/test_scene.h"
+#include "ui/text/wording.h"
 #include "ui/window/main_window.h"
 
 namespace cullscope::ui::first_start_test {
@@ -82,6 +83,20 @@ TEST_F(FirstStart, legendAndNextActionAreInSightOnSmallScreensInEveryLanguage) {
         }
     }
     language.use(QStringLiteral("en"));
+}
+
+TEST_F(FirstStart, framesOfViewsThatDrawOtherSidesAreComparedByTheirTimes) {
+    ASSERT_NE(session.slot(0).built()->facing(), session.slot(1).built()->facing());
+    ASSERT_TRUE(waitUntil([&] { return session.figures(0).timed && session.figures(1).timed; }));
+    const QString words = window.legend().figuresWords();
+    EXPECT_TRUE(words.contains(QStringLiteral("other sides"))) << words.toStdString();
+    for (const int view : {0, 1}) {
+        const QString time = viewLetter(view) + QLatin1Char(' ') + millisecondsText(session.figures(view).frameMilliseconds);
+        EXPECT_TRUE(words.contains(time)) << words.toStdString();
+    }
+    session.slot(1).choose(session.slot(0).id());
+    settle();
+    EXPECT_FALSE(window.legend().figuresWords().contains(QStringLiteral("other sides"))) << "one baseline";
 }
 
 TEST_F(FirstStart, nextActionLeadsToTheFirstLesson) {

@@ -88,6 +88,14 @@ TEST_F(HonestFigures, areTheSameInExploreCompareLectureWithStatisticsInAScreensh
     window.lecture()->showNormal();
     window.lecture()->resize(1280, 720);
     expectSame(kept, "lecture");
+    QTest::keyClick(window.lecture(), Qt::Key_R);
+    ASSERT_TRUE(window.lecture()->revealed());
+    QStringList asked;
+    for (const QLabel* label : window.lecture()->findChildren<QLabel*>()) asked << label->text();
+    const QString share = percentText(session.figures(0).submittedShare()) + QStringLiteral(" %");
+    EXPECT_TRUE(asked.contains(QStringLiteral("Submitted: ") + share)) << asked.join(QLatin1Char('\n')).toStdString();
+    EXPECT_TRUE(asked.contains(QStringLiteral("Missed: ") + countText(kept.missed)))
+        << asked.join(QLatin1Char('\n')).toStdString();
     window.lecture()->close();
     ASSERT_TRUE(waitUntil([&] { return !window.lecture(); }));
     expectSame(kept, "back in the window");

@@ -74,7 +74,7 @@ TEST(LessonFile, stepSaysWhatDiffersFromTheStepBefore) {
     EXPECT_TRUE(lesson.steps[2].state.views[0].parameters.empty());
     EXPECT_EQ(lesson.steps[2].camera, (CameraChoice{CameraChoice::Kind::Pose, "orbit:8", 5}));
     EXPECT_EQ(lesson.steps[2].state.place, (LogPlace{1, 2}));
-    EXPECT_EQ(lesson.steps[2].state.inside.page, "listing");
+    EXPECT_EQ(lesson.steps[2].state.structurePanel.page, "listing");
     EXPECT_FALSE(lesson.steps[2].saysUp);
 }
 
@@ -132,7 +132,7 @@ TEST(LessonFile, addedStepIsReadBackAsTheSessionThatItShows) {
         EXPECT_EQ(added.state.camera, step.state.camera);
         EXPECT_EQ(added.state.viewCount, step.state.viewCount);
         EXPECT_EQ(added.state.place, step.state.place);
-        EXPECT_EQ(added.state.inside, step.state.inside);
+        EXPECT_EQ(added.state.structurePanel, step.state.structurePanel);
         EXPECT_EQ(added.state.hidden, step.state.hidden);
         for (int view = 0; view < 3; ++view) {
             const SessionState::View &mine = added.state.views[size_t(view)], &wanted = step.state.views[size_t(view)];

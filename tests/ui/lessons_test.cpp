@@ -66,8 +66,8 @@ TEST_P(OwnLesson, everyStepShowsWhatItSaysAndMeasuresNothing) {
         expectShown(player().current(), where);
         for (const int view : session.shownViews())
             EXPECT_NE(session.figures(view).state, ViewMetrics::State::Ready) << where << ": it was measured for the step";
-        if (!player().current().state.inside.page.empty())
-            EXPECT_EQ(window.structurePanel().page(), player().current().state.inside.page) << where;
+        if (!player().current().state.structurePanel.page.empty())
+            EXPECT_EQ(window.structurePanel().page(), player().current().state.structurePanel.page) << where;
     }
     EXPECT_THAT(said, IsEmpty());
 }

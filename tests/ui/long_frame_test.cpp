@@ -100,6 +100,27 @@ TEST_F(LongFrame, endsWithTheWindow) {
     EXPECT_LE(watched.steps() - asked, kLooks * WorkCheck::kBetween);
 }
 
+// A million triangles take a tenth of a second to draw, and each part of a closing window waits for the frame in hand: between
+// two of them no other one is timed.
+TEST_F(LongFrame, isNotTimedAnyMoreOnceTheWindowCloses) {
+    auto own = std::make_unique<Session>(sessionOptions(true));
+    for (int view = 0; view < 2; ++view) own->setViewport(view, {320, 240});
+    openAndWait(*own, file());
+    ASSERT_TRUE(waitUntil([&] { return own->pictures()->isCurrent(0) && own->metricsSettled(); }));
+    QSignalSpy measured(own->meter(), &ViewMeter::measured);
+    const size_t references = own->meter()->referencesComputed();
+    std::promise<void> letGoOn;
+    own->gpu()->post([waits = letGoOn.get_future().share()] { waits.wait(); }, Urgency::Picture);
+    MetricsSubject moved = own->figures(0).subject;
+    moved.culling.eye *= 1.1;
+    own->meter()->measure({{0, moved}});
+    own->endFrames();
+    letGoOn.set_value();
+    for (int step = 0; step < 8; ++step) EXPECT_EQ(own->meter()->referencesComputed(), references);
+    settle();
+    EXPECT_EQ(measured.count(), 0);
+}
+
 TEST_F(LongFrame, andALongBuildEndWithTheSession) {
     for (const char* id : {"painter", "bsp"}) {
         auto own = std::make_unique<Session>(sessionOptions(true));

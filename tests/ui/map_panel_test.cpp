@@ -231,6 +231,20 @@ TEST_F(MapPanelTest, legendHasTheRightAngleAndTheColourOfTheVeil) {
     EXPECT_NEAR(said.blue(), painted.blue(), 1);
 }
 
+TEST_F(MapPanelTest, theCaptionOfABriefMapStandsBesideALowOneAndIsWholeAboveANarrowOne) {
+    MapWidget map;
+    map.setContents({shown, nullptr, {}, {}, {}});
+    map.setBrief();
+    const double line = QFontMetricsF(map.font()).height();
+    map.resize(427, 127);
+    EXPECT_LT(map.layoutOfMap().area.top(), line) << "no line above it";
+    EXPECT_GT(map.layoutOfMap().area.height(), 127 - 3.5 * line) << "all the height that its numbers leave";
+    EXPECT_LT(map.layoutOfMap().area.right(), 427 * 0.6) << "room for the words";
+    map.resize(200, 300);
+    EXPECT_GT(map.layoutOfMap().area.top(), 2 * line) << "two lines above it";
+    EXPECT_LE(map.layoutOfMap().area.bottom() + line, map.wholeHeight(200)) << "and the numbers below";
+}
+
 TEST_F(MapPanelTest, arrowKeysGoOverTheSeamAndStopAtThePoles) {
     MapWidget& map = panel.map();
     QTest::mouseClick(&map, Qt::LeftButton, {}, pixelOf(shown.grid().number({0, 0})));

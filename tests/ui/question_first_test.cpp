@@ -228,7 +228,7 @@ TEST_F(QuestionAboutParts, trianglesThatVanishAreNamedByClicksRegionsAndRows) {
     session.slot(0).choose("backface");
     ASSERT_TRUE(
         waitUntil([&] { return !session.slot(0).building() && session.metricsSettled() && !session.pictures()->busy(); }));
-    window.actions().questionFirst->trigger();
+    ask(Prediction::Question::Vanish);
     EXPECT_EQ(session.question()->of, Prediction::Items::Objects) << "of several objects";
     choose(QuestionBar::entryOf(Prediction::Question::Vanish, Prediction::Items::Triangles));
     ASSERT_EQ(session.question()->of, Prediction::Items::Triangles);
@@ -272,7 +272,7 @@ TEST_F(QuestionAboutParts, dragWithControlNamesWhatLiesInTheRectangle) {
         }
         QTest::mouseRelease(&view, Qt::LeftButton, Qt::ControlModifier, to);
     };
-    window.actions().questionFirst->trigger();
+    ask(Prediction::Question::Vanish);
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.pictures()->busy(); }));
     const Camera before = session.camera();
     drag();

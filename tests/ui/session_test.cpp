@@ -289,7 +289,7 @@ TEST(Session, viewsOfOneCameraHaveTimesOfOneMomentSoThatTheirRatiosAndFpsAgree) 
         // What back-face culling took is the same by both views' figures, whichever baseline their × is over.
         const auto baseline = [&](int view) {
             const ViewMetrics& figures = session.figures(view);
-            return figures.speedupOverFronts.value_or(*figures.speedup).ratio * figures.frameMilliseconds;
+            return figures.speedupOverFrontFaces.value_or(*figures.speedup).ratio * figures.frameMilliseconds;
         };
         EXPECT_NEAR(baseline(0), baseline(1), 1e-9 * baseline(0)) << id;
         EXPECT_EQ(untimed, 0u) << "the other view's figures stayed until its new times were there";

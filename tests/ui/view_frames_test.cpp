@@ -104,9 +104,9 @@ TEST_F(ViewFramesTest, aPickOfALostPixelIsTheTriangleThatIsMissingThere) {
     };
     session.pickAt(1, hole.x, hole.y);
     EXPECT_TRUE(picked()) << "nothing is drawn there";
-    session.setPick(std::nullopt);
     session.pickLostAt(1, hole.x, hole.y);
     EXPECT_TRUE(picked());
+    EXPECT_FALSE(session.pointBefore()) << "the next loss is not measured from a click";
     // Beside the truth and beside another view, too, and near the mark of one.
     session.slot(0).choose("all");
     for (const Wipe::Mode mode : {Wipe::Mode::Truth, Wipe::Mode::Loss, Wipe::Mode::OtherView, Wipe::Mode::Difference}) {

@@ -201,7 +201,7 @@ TEST_F(WindowLayout, anyPanelStandsInAViewsPlaceAndComesBackWithTheSession) {
             ASSERT_TRUE(pane.panel()) << panels[i].id;
             EXPECT_TRUE(pane.panel()->isVisible()) << panels[i].id;
             EXPECT_EQ(pane.panel()->objectName().toStdString(), panels[i].id);
-            EXPECT_FALSE(program.session.viewRequest(int(i) + 1)) << "a picture that nobody sees is not drawn";
+            EXPECT_FALSE(program.session.viewRequest(int(i) + 1)) << "a picture that is not on show is not drawn";
         }
     };
     expectPlaced();

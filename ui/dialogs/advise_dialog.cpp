@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
-#include <QPointer>
 #include <QScreen>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -12,8 +11,6 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/error.h"
-#include "core/gpu/context.h"
 #include "ui/plots/plot_file.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -82,8 +79,7 @@ std::array<QString, AdviceColumns> cellsOf(const advice::AdvisedStrategy& strate
 }  // namespace
 
 AdviseDialog::AdviseDialog(Session& session, QWidget* parent)
-    : QDialog(parent),
-      m_session(session),
+    : RunDialog(session, Measures::Times, parent),
       m_path(new QComboBox(this)),
       m_size(new QComboBox(this)),
       m_mayMiss(new QDoubleSpinBox(this)),
@@ -127,11 +123,6 @@ AdviseDialog::AdviseDialog(Session& session, QWidget* parent)
     resize(kAdviseSize.boundedTo(screen()->availableGeometry().size()));
 }
 
-AdviseDialog::~AdviseDialog() {
-    m_stop.request_stop();
-    if (m_running) m_session.setMeasuring(true);
-}
-
 void AdviseDialog::setUpTop(QLayout& layout) {
     const QString usual = m_session.scene() ? QString::fromStdString(defaultPathName(*m_session.scene())) : QString();
     m_path->setEditable(true);
@@ -154,10 +145,7 @@ void AdviseDialog::setUpTop(QLayout& layout) {
     layout.addWidget(m_start);
     layout.addWidget(m_cancel);
     connect(m_start, &QPushButton::clicked, this, &AdviseDialog::start);
-    connect(m_cancel, &QPushButton::clicked, this, [this] {
-        m_stop.request_stop();
-        m_cancel->setEnabled(false);
-    });
+    cancelBy(m_cancel);
 }
 
 void AdviseDialog::setUpTable() {
@@ -193,61 +181,25 @@ void AdviseDialog::setUpBottom(QLayout& layout) {
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
 }
 
-void AdviseDialog::reject() {
-    m_stop.request_stop();
-    QDialog::reject();
-}
-
 void AdviseDialog::start() {
-    if (m_running || !m_session.scene()) return;
+    if (running() || !m_session.scene()) return;
     advice::AdviseRequest request;
     request.scene = m_session.scene();
     const QSize size = m_size->currentData().toSize();
     request.size = {size.width(), size.height()};
     request.maxMissed = m_mayMiss->value() / kPerMillion;
-    m_running = true;
     m_advice.reset();
-    m_stop = std::stop_source();
-    // What is measured for the views would add to these times.
-    m_session.setMeasuring(false);
-    showState();
-    const QPointer<AdviseDialog> dialog(this);
-    m_work.start(
-        [dialog, request, path = m_path->currentText().toStdString(),
-         stop = m_stop.get_token()](const std::stop_token&) mutable -> Background::Delivery {
-            // An OpenGL context belongs to the thread that made it.
-            const HeadlessContext gl;
-            Progress progress{nullptr, stop};
-            progress.report = [dialog](double share, std::string_view) {
-                QMetaObject::invokeMethod(dialog, [dialog, share] {
-                    if (dialog && dialog->m_running) dialog->m_progress->setValue(int(100.0 * share));
-                });
-            };
-            request.path = cameraPath(path, *request.scene, {nullptr, stop});
-            return [dialog, advice = advice::advise(request, progress)] {
-                if (!dialog) return;
-                if (advice.best) dialog->setAdvice(advice);
-                dialog->end({});
-            };
-        },
-        [dialog](const std::exception& failure) -> Background::Delivery {
-            const auto* error = dynamic_cast<const Error*>(&failure);
-            const bool stopped = error != nullptr && error->kind() == ErrorKind::Interrupted;
-            const Message message =
-                stopped ? Message{} : sentenceOf(failure, QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"));
-            return [dialog, message] {
-                if (dialog) dialog->end(message);
-            };
-        });
+    run([this, request, path = m_path->currentText().toStdString()](const Progress& progress) mutable -> Result {
+        request.path = cameraPath(path, *request.scene, {nullptr, progress.stop});
+        return [this, advice = advice::advise(request, progress)] {
+            if (advice.best) setAdvice(advice);
+        };
+    });
 }
 
-void AdviseDialog::end(const Message& failure) {
-    m_running = false;
-    m_session.setMeasuring(true);
-    showState();
-    if (!failure.empty()) m_answer->setText(translated(failure));
-    emit ended();
-}
+void AdviseDialog::showProgress(double share) { m_progress->setValue(int(100.0 * share)); }
+
+void AdviseDialog::showFailure(const Message& failure) { m_answer->setText(translated(failure)); }
 
 void AdviseDialog::setAdvice(const advice::Advice& advice) {
     m_advice = advice;
@@ -267,13 +219,13 @@ void AdviseDialog::setAdvice(const advice::Advice& advice) {
 }
 
 void AdviseDialog::showState() {
-    m_start->setEnabled(!m_running && m_session.scene());
-    m_cancel->setEnabled(m_running);
+    m_start->setEnabled(!running() && m_session.scene());
+    m_cancel->setEnabled(running());
     m_export->setEnabled(m_advice.has_value());
     m_show->setEnabled(m_advice && m_table->currentRow() >= 0);
-    m_plot->setMeasuring(m_running);
-    if (!m_running) m_progress->setValue(m_advice ? 100 : 0);
-    if (m_running)
+    m_plot->setMeasuring(running());
+    if (!running()) m_progress->setValue(m_advice ? 100 : 0);
+    if (running())
         m_answer->setText(tr("Strategies are being tried on this scene; those that cannot win leave the race early…"));
     else if (!m_advice)
         m_answer->setText(

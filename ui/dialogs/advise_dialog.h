@@ -1,18 +1,15 @@
 #pragma once
 
 #include <QComboBox>
-#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QProgressBar>
-#include <QPushButton>
 #include <QTableWidget>
 #include <optional>
 
 #include "core/experiments/advice/adviser.h"
-#include "ui/jobs/background.h"
+#include "ui/dialogs/run_dialog.h"
 #include "ui/plots/result_exporter.h"
-#include "ui/session/session.h"
 #include "ui/statistics/pareto_plot.h"
 
 namespace cullscope::ui {
@@ -20,14 +17,13 @@ namespace cullscope::ui {
 /// Which strategy suits the open scene: the answer's sentences first, then the ranked strategies and the plot of speed against
 /// loss. Measures on a thread and an OpenGL context of its own, so that the window can be used. A double click on a row, a click
 /// on a point, or the button, shows a strategy in the active view.
-class AdviseDialog : public QDialog {
+class AdviseDialog : public RunDialog {
     Q_OBJECT
 
 public:
     enum class File { Json, Csv, Svg, Pdf };
 
     explicit AdviseDialog(Session& session, QWidget* parent = nullptr);
-    ~AdviseDialog() override;
 
     [[nodiscard]] QComboBox& path() { return *m_path; }
     [[nodiscard]] QComboBox& size() { return *m_size; }
@@ -38,29 +34,25 @@ public:
     [[nodiscard]] QPushButton& startButton() { return *m_start; }
     [[nodiscard]] QPushButton& cancelButton() { return *m_cancel; }
     [[nodiscard]] QPushButton& showButton() { return *m_show; }
-    [[nodiscard]] bool running() const { return m_running; }
     /// Shows an advice, as when one was measured.
     void setAdvice(const advice::Advice& advice);
     /// Writes the newest advice in the background. Reports success or failure through the session.
     void exportTo(File file, const std::filesystem::path& path);
-    /// Closes the dialog and stops what is under way.
-    void reject() override;
 
 signals:
     void strategyWanted(const cullscope::StrategyRequest& strategy);
-    void ended();
 
 private:
     void setUpTop(QLayout& layout);
     void setUpTable();
     void setUpBottom(QLayout& layout);
     void start();
-    void end(const Message& failure);
-    void showState();
     void showChosen();
     void askWhereTo(File file);
+    void showState() override;
+    void showProgress(double share) override;
+    void showFailure(const Message& failure) override;
 
-    Session& m_session;
     QComboBox *m_path, *m_size;
     QDoubleSpinBox* m_mayMiss;
     QLabel* m_answer;
@@ -70,9 +62,6 @@ private:
     QPushButton *m_start, *m_cancel, *m_show, *m_export, *m_close;
     ResultExporter* m_exporter;
     std::optional<advice::Advice> m_advice;
-    bool m_running = false;
-    std::stop_source m_stop;
-    Background m_work;
 };
 
 }  // namespace cullscope::ui

@@ -2,13 +2,11 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QPointer>
 #include <QScreen>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
-#include "core/base/error.h"
 #include "core/gpu/context.h"
 #include "ui/text/translated.h"
 
@@ -29,8 +27,7 @@ QString findingWords(const Message& message) {
 }  // namespace
 
 StabilityDialog::StabilityDialog(Session& session, QWidget* parent)
-    : QDialog(parent),
-      m_session(session),
+    : RunDialog(session, Measures::Losses, parent),
       m_conclusion(new QLabel(this)),
       m_cases(new QTreeWidget(this)),
       m_progress(new QProgressBar(this)),
@@ -59,23 +56,13 @@ StabilityDialog::StabilityDialog(Session& session, QWidget* parent)
     layout->addLayout(bottom);
     connect(m_run, &QPushButton::clicked, this, [this] { start(stability::casesNamed("")); });
     connect(m_runChosen, &QPushButton::clicked, this, [this] { start(chosen()); });
-    connect(m_cancel, &QPushButton::clicked, this, [this] {
-        m_stop.request_stop();
-        m_cancel->setEnabled(false);
-    });
+    cancelBy(m_cancel);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(m_cases, &QTreeWidget::itemSelectionChanged, this, &StabilityDialog::showState);
     connect(m_cases, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item) { openSceneOf(*item); });
     fill();
     showState();
     resize(kStabilitySize.boundedTo(screen()->availableGeometry().size()));
-}
-
-StabilityDialog::~StabilityDialog() { m_stop.request_stop(); }
-
-void StabilityDialog::reject() {
-    m_stop.request_stop();
-    QDialog::reject();
 }
 
 void StabilityDialog::fill() {
@@ -114,8 +101,7 @@ void StabilityDialog::openSceneOf(const QTreeWidgetItem& item) {
 }
 
 void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& cases) {
-    if (m_running || cases.empty()) return;
-    m_running = true;
+    if (running() || cases.empty()) return;
     m_results.clear();
     m_asked = cases.size();
     for (const stability::StabilityCase* which : cases) {
@@ -124,37 +110,18 @@ void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& 
         item.setText(kVerdictColumn, QStringLiteral("…"));
         item.setText(kFoundColumn, {});
     }
-    m_stop = std::stop_source();
-    showState();
-    const QPointer<StabilityDialog> dialog(this);
-    m_work.start(
-        [dialog, cases, stop = m_stop.get_token()](const std::stop_token&) -> Background::Delivery {
-            // An OpenGL context belongs to the thread that made it.
-            const HeadlessContext gl;
-            Renderer renderer;
-            for (const stability::StabilityCase* which : cases) {
-                stability::CaseResult result = stability::runCase({renderer, gl.info(), {nullptr, stop}}, *which);
-                QMetaObject::invokeMethod(dialog, [dialog, result = std::move(result)] {
-                    if (dialog) dialog->showResult(result);
-                });
-            }
-            return [dialog] {
-                if (dialog) dialog->end({});
-            };
-        },
-        [dialog](const std::exception& failure) -> Background::Delivery {
-            const auto* error = dynamic_cast<const Error*>(&failure);
-            const bool stopped = error != nullptr && error->kind() == ErrorKind::Interrupted;
-            const Message message =
-                stopped ? Message{} : sentenceOf(failure, QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"));
-            return [dialog, message] {
-                if (dialog) dialog->end(message);
-            };
-        });
+    run([this, cases](const Progress& progress) -> Result {
+        Renderer renderer;
+        const GlInfo gl = requireOpenGl45();
+        for (const stability::StabilityCase* which : cases) {
+            stability::CaseResult result = stability::runCase({renderer, gl, {nullptr, progress.stop}}, *which);
+            whileRunning([this, result = std::move(result)] { showResult(result); });
+        }
+        return {};
+    });
 }
 
 void StabilityDialog::showResult(const stability::CaseResult& result) {
-    if (!m_running) return;
     QTreeWidgetItem& item = *itemOf(*result.which);
     item.setText(kVerdictColumn, result.right() ? tr("right") : tr("WRONG"));
     item.setText(kFoundColumn, translated(result.found()));
@@ -175,20 +142,15 @@ void StabilityDialog::showResult(const stability::CaseResult& result) {
     showState();
 }
 
-void StabilityDialog::end(const Message& failure) {
-    m_running = false;
-    for (int row = 0; row < m_cases->topLevelItemCount(); ++row)
-        if (m_cases->topLevelItem(row)->text(kVerdictColumn) == QStringLiteral("…"))
-            m_cases->topLevelItem(row)->setText(kVerdictColumn, {});
-    showState();
-    if (!failure.empty()) m_session.raise(Severity::Error, failure);
-    emit ended();
-}
+void StabilityDialog::showFailure(const Message& failure) { m_session.raise(Severity::Error, failure); }
 
 void StabilityDialog::showState() {
-    m_run->setEnabled(!m_running);
-    m_runChosen->setEnabled(!m_running && !m_cases->selectedItems().isEmpty());
-    m_cancel->setEnabled(m_running);
+    for (int row = 0; !running() && row < m_cases->topLevelItemCount(); ++row)
+        if (m_cases->topLevelItem(row)->text(kVerdictColumn) == QStringLiteral("…"))
+            m_cases->topLevelItem(row)->setText(kVerdictColumn, {});
+    m_run->setEnabled(!running());
+    m_runChosen->setEnabled(!running() && !m_cases->selectedItems().isEmpty());
+    m_cancel->setEnabled(running());
     m_progress->setRange(0, std::max(1, int(m_asked)));
     m_progress->setValue(int(m_results.size()));
     const auto wrong = std::ranges::count_if(m_results, [](const stability::CaseResult& result) { return !result.right(); });

@@ -3,12 +3,9 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QMouseEvent>
-#include <QPointer>
 #include <QScreen>
 #include <QVBoxLayout>
 
-#include "core/base/error.h"
-#include "core/gpu/context.h"
 #include "core/scene/tour.h"
 #include "ui/plots/plot_file.h"
 #include "ui/text/translated.h"
@@ -41,8 +38,7 @@ void WorstMap::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 WorstDialog::WorstDialog(Session& session, QWidget* parent)
-    : QDialog(parent),
-      m_session(session),
+    : RunDialog(session, Measures::Times, parent),
       m_of(new QComboBox(this)),
       m_from(new QComboBox(this)),
       m_views(new QSpinBox(this)),
@@ -84,10 +80,7 @@ WorstDialog::WorstDialog(Session& session, QWidget* parent)
     layout->addWidget(m_map, 1);
     layout->addLayout(bottom);
     connect(m_start, &QPushButton::clicked, this, &WorstDialog::start);
-    connect(m_cancel, &QPushButton::clicked, this, [this] {
-        m_stop.request_stop();
-        m_cancel->setEnabled(false);
-    });
+    cancelBy(m_cancel);
     connect(m_go, &QPushButton::clicked, this, [this] {
         if (m_result) goTo(m_result->views[m_result->worst]);
     });
@@ -103,18 +96,8 @@ WorstDialog::WorstDialog(Session& session, QWidget* parent)
     resize(kWorstSize.boundedTo(screen()->availableGeometry().size()));
 }
 
-WorstDialog::~WorstDialog() {
-    m_stop.request_stop();
-    if (m_running) m_session.setMeasuring(true);
-}
-
-void WorstDialog::reject() {
-    m_stop.request_stop();
-    QDialog::reject();
-}
-
 void WorstDialog::start() {
-    if (m_running || !m_session.scene()) return;
+    if (running() || !m_session.scene()) return;
     const StrategySlot& slot = m_session.slot(m_session.culledBy(m_session.activeView()));
     worst::WorstRequest request;
     request.scene = m_session.scene();
@@ -123,57 +106,27 @@ void WorstDialog::start() {
     request.size = m_session.renderSize(m_session.activeView());
     request.inside = m_from->currentData().toBool();
     request.views = size_t(m_views->value());
-    m_running = true;
     m_result.reset();
-    m_stop = std::stop_source();
-    // What is measured for the views would add to these times.
-    m_session.setMeasuring(false);
-    showState();
-    const QPointer<WorstDialog> dialog(this);
-    m_work.start(
-        [dialog, request, stop = m_stop.get_token()](const std::stop_token&) -> Background::Delivery {
-            // An OpenGL context belongs to the thread that made it.
-            const HeadlessContext gl;
-            Progress progress{nullptr, stop};
-            progress.report = [dialog](double share, std::string_view) {
-                QMetaObject::invokeMethod(dialog, [dialog, share] {
-                    if (dialog && dialog->m_running) dialog->m_progress->setValue(int(100.0 * share));
-                });
-            };
-            return [dialog, result = worst::worstView(request, progress)] {
-                if (!dialog) return;
-                if (!result.views.empty()) dialog->m_result = result;
-                dialog->end({});
-            };
-        },
-        [dialog](const std::exception& failure) -> Background::Delivery {
-            const auto* error = dynamic_cast<const Error*>(&failure);
-            const bool stopped = error != nullptr && error->kind() == ErrorKind::Interrupted;
-            const Message message =
-                stopped ? Message{} : sentenceOf(failure, QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"));
-            return [dialog, message] {
-                if (dialog) dialog->end(message);
-            };
-        });
+    run([this, request](const Progress& progress) -> Result {
+        return [this, result = worst::worstView(request, progress)] {
+            if (!result.views.empty()) m_result = result;
+        };
+    });
 }
 
-void WorstDialog::end(const Message& failure) {
-    m_running = false;
-    m_session.setMeasuring(true);
-    showState();
-    if (!failure.empty()) m_answer->setText(translated(failure));
-    emit ended();
-}
+void WorstDialog::showProgress(double share) { m_progress->setValue(int(100.0 * share)); }
+
+void WorstDialog::showFailure(const Message& failure) { m_answer->setText(translated(failure)); }
 
 void WorstDialog::showState() {
-    m_start->setEnabled(!m_running && m_session.scene());
-    m_cancel->setEnabled(m_running);
+    m_start->setEnabled(!running() && m_session.scene());
+    m_cancel->setEnabled(running());
     m_go->setEnabled(m_result.has_value());
     m_save->setEnabled(m_result.has_value());
-    if (!m_running) m_progress->setValue(m_result ? 100 : 0);
+    if (!running()) m_progress->setValue(m_result ? 100 : 0);
     if (m_result) m_map->setPlot(worst::worstMap(*m_result));
     m_map->setVisible(m_result.has_value());
-    if (m_running)
+    if (running())
         m_answer->setText(tr("Views are being tried, the worst parts of the map again and again in smaller parts…"));
     else if (!m_result)
         m_answer->setText(

@@ -49,8 +49,8 @@ QString speedSentence(const ViewFigures& figures) {
         QCoreApplication::translate("Wording", "%1 against %2, which draws the same sides, with its 95 % interval")
             .arg(QStringLiteral("%1"), QString::fromStdString(figures.baseline)));
     //: The same against a baseline that draws front faces alone.
-    add(figures.speedupOverFronts, QCoreApplication::translate("Wording", "%1 against %2, which draws front faces only")
-                                       .arg(QStringLiteral("%1"), baselineWord(BaselineRole::FrontFaces)));
+    add(figures.speedupOverFrontFaces, QCoreApplication::translate("Wording", "%1 against %2, which draws front faces only")
+                                           .arg(QStringLiteral("%1"), baselineWord(BaselineRole::FrontFaces)));
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QPainter>
 #include <QVBoxLayout>
+#include <set>
 
 #include "core/image/view_picture.h"
 #include "core/visibility/registry.h"
@@ -175,6 +176,7 @@ void LegendPanel::wire() {
         if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
     // strategyBuilt too: a refused strategy has no picture, so pictureChanged is not emitted.
+    connect(&m_session, &Session::strategyBuilt, this, &LegendPanel::showCounts);
     for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt}) {
         connect(&m_session, signal, this, &LegendPanel::showPlanes);
         connect(&m_session, signal, this, &LegendPanel::showContrast);
@@ -236,8 +238,26 @@ void LegendPanel::showToAudience() {
     m_grid->setColumnStretch(5, 0);
 }
 
+QString LegendPanel::figuresWords() const {
+    const QString words = tr("Over each picture: speed, same sides drawn · triangles submitted · pixels missed");
+    std::set<Facing> rules;
+    QStringList times;
+    for (const int view : m_session.measuredViews()) {
+        const BuiltStrategyPointer& strategy = m_session.slot(view).built();
+        if (!strategy) continue;
+        rules.insert(strategy->facing());
+        const ViewMetrics& figures = m_session.figures(view);
+        const bool known = figures.state == ViewMetrics::State::Ready && figures.timed;
+        times << viewLetter(view) + QLatin1Char(' ') +
+                     (known ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…"));
+    }
+    if (rules.size() < 2 || m_session.question()) return words;
+    return words + QLatin1Char('\n') +
+           tr("These views draw other sides, so their × have other baselines. A frame takes: %1")
+               .arg(times.join(QStringLiteral(" · ")));
+}
+
 void LegendPanel::refresh() {
-    m_figures->setText(tr("Over each picture: speed, same sides drawn · triangles submitted · pixels missed"));
     for (int i = 0; i < m_promises.size(); ++i) {
         const Promise promise = kPromises[size_t(i)];
         m_promises[i]->setText(promiseWord(promise));
@@ -278,6 +298,7 @@ void LegendPanel::showUndecided() {
 }
 
 void LegendPanel::showCounts() {
+    m_figures->setText(figuresWords());
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool counted = figures.state == ViewMetrics::State::Ready && figures.states && !m_session.question();
     const bool unmeasured = figures.state == ViewMetrics::State::OnRequest || figures.state == ViewMetrics::State::Failed;

@@ -23,6 +23,9 @@ public:
     void showToAudience();
     /// The suggested next action; changes with the user's progress.
     [[nodiscard]] QString nextAction() const;
+    /// What the line over each picture says; and how long a frame takes, where the views draw other sides and their speeds are
+    /// thus against other baselines.
+    [[nodiscard]] QString figuresWords() const;
     /// Suggests the first action again.
     void startAnew();
     /// What lines in the contrasting colour mean in the active view; hidden where it has none.

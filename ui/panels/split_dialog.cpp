@@ -52,9 +52,9 @@ SplitDialog::SplitDialog(const QString& specification, uint64_t triangles, QWidg
 
 QString SplitDialog::specification() const {
     // The mesh is the last parameter: all text after "mesh=" belongs to its specification.
-    const QString by = m_components->isChecked() ? QStringLiteral("components")
-                                                 : QStringLiteral("clusters,triangles=%1").arg(m_triangles->value());
-    return QStringLiteral("split:by=") + by + QStringLiteral(",mesh=") + m_mesh;
+    const QString by = m_components->isChecked() ? QStringLiteral("by=components")
+                                                 : QStringLiteral("by=clusters,triangles=%1").arg(m_triangles->value());
+    return QStringLiteral("split:") + by + QStringLiteral(",mesh=") + m_mesh;
 }
 
 }  // namespace cullscope::ui

@@ -99,6 +99,10 @@ void StructurePanel::showToAudience() {
     for (QLabel* words : m_listing->findChildren<QLabel*>()) words->hide();
     for (QTableView* lines : m_listing->findChildren<QTableView*>()) {
         lines->horizontalHeader()->hide();
+        // The hidden row header asks for margins of its own: without them ten lines have room below a map.
+        QFont small = lines->verticalHeader()->font();
+        small.setPixelSize(1);
+        lines->verticalHeader()->setFont(small);
         lines->setItemDelegate(new LargeLetters(lines));
         connect(&m_reader, &SnapshotReader::changed, lines, [this, lines] {
             const SnapshotReadingPointer& reading = m_reader.reading();
@@ -117,6 +121,10 @@ void StructurePanel::setAudienceMap(int height, int left) {
 
 bool StructurePanel::showsCurve() const {
     return std::ranges::any_of(m_curves, [this](const CurvePanel* curve) { return curve == m_tabs->currentWidget(); });
+}
+
+int StructurePanel::leastBelowMap() const {
+    return m_tabs->tabBar()->sizeHint().height() + m_tabs->currentWidget()->minimumSizeHint().height();
 }
 
 std::string StructurePanel::page() const { return m_tabs->currentWidget()->objectName().toStdString(); }

@@ -45,6 +45,8 @@ public:
     void setAudienceMap(int height, int left);
     /// Whether the open tab has a curve.
     [[nodiscard]] bool showsCurve() const;
+    /// The least height of the tabs with the page in front.
+    [[nodiscard]] int leastBelowMap() const;
     /// The id of the open tab, and opens the one with an id, where the strategy has it.
     [[nodiscard]] std::string page() const;
     void showPage(const std::string& id);

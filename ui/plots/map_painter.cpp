@@ -19,6 +19,8 @@ constexpr double kMapMargin = 4.0;
 constexpr double kScaleLeading = 2.0;
 constexpr double kScaleWidth = 110.0;
 constexpr double kScaleGap = 5.0;
+constexpr double kBold = 1.2;        // how much wider bold letters are, at most
+constexpr double kNarrowMap = 0.45;  // of the width: so narrow is a map that its place's height limits
 
 double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kScaleLeading; }
 
@@ -44,8 +46,14 @@ QRectF inner(const QRectF& place) { return place.adjusted(kMapMargin, 0, -kMapMa
 
 double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) const {
     const double across = width - 2 * kMapMargin;
-    return std::ceil(captionLines() * lineHeight(metrics) + MapLayout::heightFor(across, metrics) + heightBelow(across, metrics) +
-                     kMapMargin);
+    return std::ceil(captionLines(across, metrics) * lineHeight(metrics) + MapLayout::heightFor(across, metrics) +
+                     heightBelow(across, metrics) + kMapMargin);
+}
+
+int MapPainter::captionLines(double width, const QFontMetricsF& metrics) const {
+    if (!m_brief) return 2;
+    if (contents().shown.empty()) return 1;
+    return kBold * metrics.horizontalAdvance(translated(contents().shown.map->decisionWords)) > width ? 2 : 1;
 }
 
 double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const {
@@ -92,10 +100,16 @@ MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palet
     return {std::move(entries), metrics};
 }
 
+bool MapPainter::captionBeside(const QRectF& place, const QFontMetricsF& metrics) const {
+    const QRectF within = inner(place);
+    const MapLayout above(within.adjusted(0, lineHeight(metrics), 0, -kMapMargin), metrics);
+    return m_brief && above.area.width() < kNarrowMap * within.width();
+}
+
 MapLayout MapPainter::layout(const QRectF& place, const QFontMetricsF& metrics) const {
     const QRectF within = inner(place);
-    return {within.adjusted(0, captionLines() * lineHeight(metrics), 0, -heightBelow(within.width(), metrics) - kMapMargin),
-            metrics};
+    const double caption = captionBeside(place, metrics) ? 0.0 : captionLines(within.width(), metrics) * lineHeight(metrics);
+    return {within.adjusted(0, caption, 0, -heightBelow(within.width(), metrics) - kMapMargin), metrics};
 }
 
 void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& palette,
@@ -105,7 +119,9 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
     const ShownMap& shown = contents().shown;
     const MapLayout layout = this->layout(place, metrics);
     painter.save();
-    paintCaption(painter, inner(place), colours);
+    QRectF caption = inner(place);
+    if (captionBeside(place, metrics)) caption.setLeft(layout.area.right() + metrics.horizontalAdvance(QStringLiteral("360°")));
+    paintCaption(painter, caption, colours);
     m_cells.paint(painter, layout.area, palette, colours.veil);
     const MapOverlay overlay(painter, layout, colours);
     overlay.paint(*shown.map);
@@ -142,7 +158,11 @@ void MapPainter::paintCaption(QPainter& painter, const QRectF& place, const MapC
     const QFont plain = bold;
     bold.setBold(true);
     painter.setFont(bold);
-    write(QFontMetricsF(bold).elidedText(translated(contents().shown.map->decisionWords), Qt::ElideRight, line.width()));
+    const QString words = translated(contents().shown.map->decisionWords);
+    if (m_brief && captionLines(line.width(), metrics) > 1)
+        painter.drawText(line, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap | Qt::TextDontClip, words);
+    else
+        write(QFontMetricsF(bold).elidedText(words, Qt::ElideRight, line.width()));
     painter.setFont(plain);
 }
 

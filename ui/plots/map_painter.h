@@ -33,6 +33,9 @@ public:
 
 private:
     void paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const;
+    /// Whether the caption of a brief map stands beside it: where its height alone limits the map. Above, it would leave a map of
+    /// half the size.
+    [[nodiscard]] bool captionBeside(const QRectF& place, const QFontMetricsF& metrics) const;
     static void paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours);
     /// The height of the map's lines of text between scale and legend.
     [[nodiscard]] double wordsHeight(const QFontMetricsF& metrics) const;
@@ -43,7 +46,8 @@ private:
     [[nodiscard]] double heightBelow(double width, const QFontMetricsF& metrics) const;
     [[nodiscard]] std::vector<MapLegend::Entry> statesShown(const QPalette& palette) const;
 
-    [[nodiscard]] int captionLines() const { return m_brief ? 1 : 2; }
+    /// A brief caption that is wider than the map's place has a second line.
+    [[nodiscard]] int captionLines(double width, const QFontMetricsF& metrics) const;
 
     CellPicture m_cells;
     bool m_brief = false;

@@ -46,6 +46,8 @@ void MapWidget::setBrief() {
     contentsChanged();
 }
 
+int MapWidget::wholeHeight(int width) const { return int(m_painter.neededHeight(width, QFontMetricsF(font()))); }
+
 MapLayout MapWidget::layoutOfMap() const { return m_painter.layout(rect(), QFontMetricsF(font())); }
 
 QString MapWidget::title() const { return empty() ? QString() : translated(m_painter.contents().shown.map->title); }

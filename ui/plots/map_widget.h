@@ -18,6 +18,8 @@ public:
     void setColouring(const std::string& colouring);
     /// One line over the map, and nothing but its axes below.
     void setBrief();
+    /// The height of all of it, as wide as this, brief or not; more is left empty.
+    [[nodiscard]] int wholeHeight(int width) const;
     /// The id of the shown colouring; empty: there is none.
     [[nodiscard]] std::string colouring() const { return m_painter.colouring(); }
     /// The cell of the keyboard cursor; none: it was not moved yet.

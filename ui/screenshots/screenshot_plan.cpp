@@ -45,6 +45,7 @@ PictureExtras scaled(PictureExtras extras, const Viewport& shown, const Viewport
     if (!extras.markedLoss) extras.loupe.reset();
     if (extras.loupe) extras.loupe = place(*extras.loupe);
     if (extras.markedLoss) extras.markedLoss = QRectF(place(extras.markedLoss->topLeft()), extras.markedLoss->size() * scale);
+    for (PlacedName& name : extras.names) name.place = place(name.place);
     extras.unit = unit;
     return extras;
 }

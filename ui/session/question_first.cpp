@@ -43,6 +43,11 @@ void QuestionFirst::ask(Prediction::Question question, const std::optional<Predi
     readParts();
 }
 
+Prediction::Question QuestionFirst::usualQuestion() const {
+    const bool divided = m_session.scene() && !m_session.scene()->planes().empty();
+    return divided ? Prediction::Question::Order : Prediction::Question::Vanish;
+}
+
 Prediction::Items QuestionFirst::usualItems() const {
     return m_session.scene()->instances().size() == 1 ? Prediction::Items::Triangles : Prediction::Items::Objects;
 }

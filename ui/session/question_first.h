@@ -21,6 +21,9 @@ public:
     /// scene of one object, else objects; a question about places is always about parts. `of`: what is named where something may
     /// vanish.
     void ask(Prediction::Question question, const std::optional<Prediction::Items>& of = {});
+    /// What is asked first of the session's scene: the order where the scene names planes, as the lecture's quiz does, which
+    /// divide its polygons for it; else what vanishes.
+    [[nodiscard]] Prediction::Question usualQuestion() const;
     /// Says where what was named last is expected, as a number of NamedParts::places.
     void place(size_t place);
     /// Answers by a node of the strategy's tree (StructureSnapshot::nodes): a place says where what was named last is expected,

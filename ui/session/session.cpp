@@ -66,7 +66,6 @@ Session::~Session() {
     // First, for whatever ends below waits for the GPU thread.
     endFrames();
     m_step.reset();
-    if (m_meter) m_meter->cancel();
     for (ViewState& view : m_views) view.figures = {};
     // Finish work and deliveries of the GPU thread while that thread exists.
     m_pictures = nullptr;
@@ -75,6 +74,11 @@ Session::~Session() {
     m_upload = nullptr;
     if (m_gpu) m_gpu->run([] {});
     QCoreApplication::removePostedEvents(this);
+}
+
+void Session::endFrames() {
+    m_frames->stop();
+    cancelFigures();
 }
 
 void Session::makeGraphics() {

@@ -185,7 +185,8 @@ public:
     /// The object that a view's picture shows at a pixel (y upward); waits for the GPU thread. None: the background, or a
     /// question is open.
     [[nodiscard]] std::optional<uint32_t> objectAt(int view, int x, int y);
-    /// Picks what is missing at a lost pixel of a view's picture, or near it, whether lost pixels are marked or not.
+    /// Picks what is missing at a lost pixel of a view's picture, or near it, whether lost pixels are marked or not. No distance
+    /// to what was picked before is measured.
     void pickLostAt(int view, int x, int y);
 
     /// The chosen group of the active view's strategy; none once a strategy was built anew, or something was picked.
@@ -201,9 +202,9 @@ public:
     [[nodiscard]] ViewMeter* meter() { return m_meter.get(); }
     /// The views' frames.
     [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
-    /// Ends the frame that is being decided, and all to come: the session's window closes, and parts of it wait for the GPU
-    /// thread.
-    void endFrames() { m_frames->stop(); }
+    /// Ends the frame that is being decided and the one that is being timed, and all to come: the session's window closes, and
+    /// parts of it wait for the GPU thread one after the other.
+    void endFrames();
     /// What the strategies of all views built.
     [[nodiscard]] const std::shared_ptr<StructureStore>& structures() const { return m_structures; }
 

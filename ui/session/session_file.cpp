@@ -56,8 +56,8 @@ Json jsonOfState(const SessionState& state, const std::string& scene) {
     json["view_count"] = state.viewCount;
     json["active_view"] = state.activeView;
     if (state.place) json["place"] = {{"entry", state.place->entries}, {"of", state.place->whole}};
-    if (!state.inside.page.empty()) json["inside"]["page"] = state.inside.page;
-    if (!state.inside.map.empty()) json["inside"]["map"] = state.inside.map;
+    if (!state.structurePanel.page.empty()) json["inside"]["page"] = state.structurePanel.page;
+    if (!state.structurePanel.map.empty()) json["inside"]["map"] = state.structurePanel.map;
     if (state.style) json["colours"] = jsonOf(*state.style);
     for (const SessionState::View& view : state.views) json["views"].push_back(jsonOf(view));
     for (const std::optional<CameraBookmark>& place : state.bookmarks) {
@@ -161,9 +161,9 @@ LogPlace readPlace(const JsonField& place) {
     return {size_t(place.at("entry").wholeNumber(0, whole)), size_t(whole)};
 }
 
-void readInside(const JsonField& inside, SessionState& state) {
-    if (const auto page = inside.find("page")) state.inside.page = page->text();
-    if (const auto map = inside.find("map")) state.inside.map = map->text();
+void readStructurePanel(const JsonField& inside, SessionState& state) {
+    if (const auto page = inside.find("page")) state.structurePanel.page = page->text();
+    if (const auto map = inside.find("map")) state.structurePanel.map = map->text();
 }
 
 SessionState readState(const JsonField& json, const std::filesystem::path& file) {
@@ -180,7 +180,7 @@ SessionState readState(const JsonField& json, const std::filesystem::path& file)
     }
     readWindow(json, state);
     if (const auto place = json.find("place")) state.place = readPlace(*place);
-    if (const auto inside = json.find("inside")) readInside(*inside, state);
+    if (const auto inside = json.find("inside")) readStructurePanel(*inside, state);
     if (const auto section = json.find("section")) state.section = readSection(*section);
     if (const auto colours = json.find("colours")) state.style = readStyle(*colours);
     readViews(json.at("views"), state);

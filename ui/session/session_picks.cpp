@@ -28,6 +28,8 @@ void Session::pickLostAt(int view, int x, int y) {
     std::optional<ViewRequest> request = viewRequest(view);
     if (!request || m_question) return;
     request->wipe = Wipe::Mode::Loss;
+    // Nothing is measured from what was clicked before to a loss that was not clicked.
+    setPick(std::nullopt);
     pickIn(view, *request, x, y);
 }
 

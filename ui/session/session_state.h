@@ -36,25 +36,26 @@ struct SessionState {
     CameraBookmarks::Places bookmarks;
     std::optional<LogPlace> place;  ///< where the active view's frame is stepped; none: its whole frame is shown
     /// What the panel "Inside" shows; empty ids: what it shows already.
-    struct Inside {
+    struct StructurePanelState {
         std::string page;  ///< id of the open tab
         std::string map;   ///< id of the map's colouring
 
-        bool operator==(const Inside&) const = default;
+        bool operator==(const StructurePanelState&) const = default;
     };
-    Inside inside;
+    StructurePanelState structurePanel;
     std::optional<DrawStyle> style;  ///< background and surface of the pictures; none: those of the window's appearance
 
     bool operator==(const SessionState&) const = default;
 };
 
-/// Captures all of the state but arrangement, `inside` and bookmarks, which the session does not hold, and the style, which
-/// depends on the window's appearance. `scene` is empty if none is open.
+/// Captures all of the state but arrangement, `structurePanel` and bookmarks, which the session does not hold, and the style,
+/// which depends on the window's appearance. `scene` is empty if none is open.
 [[nodiscard]] SessionState captureState(const Session& session);
 
 /// Applies cameras, hidden objects and views of a state to the opened scene. Does not open `scene` and ignores arrangement,
-/// bookmarks, `place`, `inside` and style. If the scene has another number of objects, all are shown and a warning is raised.
-/// Values that are equal already are not set. Throws Error(Usage) for an unknown strategy or parameter, before any change.
+/// bookmarks, `place`, `structurePanel` and style. If the scene has another number of objects, all are shown and a warning is
+/// raised. Values that are equal already are not set. Throws Error(Usage) for an unknown strategy or parameter, before any
+/// change.
 void applyState(Session& session, const SessionState& state);
 
 /// What a view's picture shows, or would show; without figures. `request`: what is drawn; none: there is nothing to draw yet.

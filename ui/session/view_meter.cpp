@@ -75,7 +75,7 @@ struct ViewMeter::Job {
         const Facing rule = what.strategy->facing();
         next.baseline = bench.baselines.under(rule, what.buffers->scenePointer(), *bench.structures);
         if (rule != Facing::Front)
-            next.fronts = bench.baselines.under(Facing::Front, what.buffers->scenePointer(), *bench.structures);
+            next.frontFaces = bench.baselines.under(Facing::Front, what.buffers->scenePointer(), *bench.structures);
         next.judged = !subject.known;
         shown.push_back(std::move(next));
         figures.push_back(subject.known ? *subject.known : ViewMetrics());

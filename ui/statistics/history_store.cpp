@@ -16,21 +16,9 @@ constexpr const char* kFormat = "cullscope history";
 constexpr std::uintmax_t kMostBytes = 4'000'000;  // fifty experiments took a tenth of that
 
 store::KeptFigures figuresFrom(const nlohmann::json& json) {
-    store::KeptFigures figures;
     // Its name is the strategy with the parameters that are not at their defaults, as a store has them after colons.
-    figures.strategy =
-        QString::fromStdString(json.at("name").get<std::string>()).replace(QLatin1Char(' '), QLatin1Char(':')).toStdString();
-    figures.baseline = json.at("baseline").get<std::string>();
-    if (json.contains("ratio")) {
-        RatioEstimate ratio;
-        ratio.ratio = json.at("ratio").get<double>();
-        ratio.hasInterval = json.contains("ratio_ci95");
-        ratio.ci95 = {2.0 * ratio.ratio, 2.0 * ratio.ratio};
-        if (ratio.hasInterval) ratio.ci95 = json.at("ratio_ci95").get<std::array<double, 2>>();
-        figures.ratio = ratio;
-    }
-    if (json.contains("missed_ppm")) figures.missedPpm = json.at("missed_ppm").get<double>();
-    return figures;
+    const QString name = QString::fromStdString(json.at("name").get<std::string>());
+    return store::keptFigures(QString(name).replace(QLatin1Char(' '), QLatin1Char(':')).toStdString(), json.dump());
 }
 
 [[noreturn]] void throwNoHistory(const std::filesystem::path& file) {

@@ -45,9 +45,10 @@ std::vector<LinePlot> PoseStrip::plots(const QPalette& palette) const {
     plot.widest = kWidestColumn * double(poseCount());
     plot.x = {{}, PlotScale::Linear, -0.5, double(poseCount()) - 0.5, false, true};
     plot.y = {title().toStdString(), PlotScale::Linear, kLowest, 1.0};
-    plot.y.ticks = {{0.5, tr("frame").toStdString()}, {1.0, millisecondsText(longest).toStdString()}};
-    // The scale of losses is logarithmic: its ticks are decades, so that a column's length can be read.
-    for (const double ppm : {10.0, 1'000.0, kWholeLoss})
+    plot.y.ticks = {{1.0, millisecondsText(longest).toStdString()}, {0.5, tr("frame").toStdString()}};
+    // The scale of losses is logarithmic: its ticks are decades, so that a column's length can be read. Where there is room for
+    // few of them, its ends come first.
+    for (const double ppm : {kWholeLoss, 10.0, 1'000.0})
         plot.y.ticks.push_back(
             {kLargestLoss * lossShare(ppm), tr("missed %1", "a loss in parts per million").arg(lossTick(ppm)).toStdString()});
     PlotBars times{{}, colours.draw.rgba(), {}}, losses{{}, colours.loss.rgba(), {}};

@@ -76,7 +76,7 @@ ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     row.speedup = measured.estimate("ratio_to_same_sides");
     row.baseline = measured.words("same_sides_baseline").value_or("");
     row.headroomShare = measured.estimate("headroom_share");
-    row.speedupOverFronts = measured.estimate("ratio_to_backface");
+    row.speedupOverFrontFaces = measured.estimate("ratio_to_backface");
     row.speedupOverTriangles = measured.estimate("ratio_to_all");
     row.fpsOverall = measured.number("fps_overall");
     row.fpsMin = measured.number("fps_min");
@@ -137,7 +137,7 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         if (figures.state == ViewMetrics::State::Ready && figures.frameMilliseconds > 0.0) {
             row.speedup = figures.speedup;
             row.baseline = figures.baseline;
-            row.speedupOverFronts = figures.speedupOverFronts;
+            row.speedupOverFrontFaces = figures.speedupOverFrontFaces;
             row.fpsOverall = 1000.0 / figures.frameMilliseconds;
             row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;
             row.submittedShare = figures.submittedShare();
@@ -240,9 +240,9 @@ QString ResultTableModel::rowExplanation(const ResultRow& row, int column) {
     if (column == Speedup && row.speedup && !row.baseline.empty()) {
         QString text = explanation(column) + QLatin1Char('\n') +
                        tr("The baseline: %1", "a strategy").arg(QString::fromStdString(row.baseline));
-        if (row.speedupOverFronts)
+        if (row.speedupOverFrontFaces)
             text += QLatin1Char('\n') + tr("Against %1: %2", "a strategy; a ratio of times")
-                                            .arg(baselineWord(BaselineRole::FrontFaces), speed(row.speedupOverFronts));
+                                            .arg(baselineWord(BaselineRole::FrontFaces), speed(row.speedupOverFrontFaces));
         return text;
     }
     return explanation(column);

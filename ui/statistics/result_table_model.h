@@ -24,10 +24,10 @@ struct ResultRow {
     QString id;
     Promise promise = Promise::Approximate;
     bool promiseBroken = false;
-    std::optional<RatioEstimate> speedup;                                  ///< over the baseline that draws the same sides,
-    std::string baseline;                                                  ///< which is this one
-    std::optional<RatioEstimate> headroomShare;                            ///< of the time that any culling could save
-    std::optional<RatioEstimate> speedupOverTriangles, speedupOverFronts;  ///< over `all` and over `backface`
+    std::optional<RatioEstimate> speedup;                                      ///< over the baseline that draws the same sides,
+    std::string baseline;                                                      ///< which is this one
+    std::optional<RatioEstimate> headroomShare;                                ///< of the time that any culling could save
+    std::optional<RatioEstimate> speedupOverTriangles, speedupOverFrontFaces;  ///< over `all` and over `backface`
     std::optional<double> fpsOverall, fpsMin, fpsMax;
     std::optional<double> cullShare, submittedShare;
     std::optional<uint64_t> missedPixels;    ///< that are lost: without those that the raster's snapping explains

@@ -78,6 +78,24 @@ void paintWipeLine(QPainter& painter, const QRectF& target, const PictureExtras&
     label(painter, QRectF(x, target.top(), target.right() - x, target.height()), Qt::AlignLeft, extras.right, extras.unit);
 }
 
+/// Light letters with a dark edge, above the places that they name.
+void paintNames(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
+    const double perPixel = target.width() / picture.request.size.width;
+    QFont font = painter.font();
+    font.setBold(true);
+    const QFontMetricsF metrics(font, painter.device());
+    painter.save();
+    painter.setClipRect(target, Qt::IntersectClip);
+    for (const PlacedName& name : extras.names) {
+        const QPointF place = target.topLeft() + name.place * perPixel;
+        QPainterPath letters;
+        letters.addText(place - QPointF(metrics.horizontalAdvance(name.text) / 2.0, metrics.height()), font, name.text);
+        painter.strokePath(letters, QPen(kLineEdge, 3.0 * extras.unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.fillPath(letters, kWipeLine);
+    }
+    painter.restore();
+}
+
 void paintLoupe(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
     const double perPixel = target.width() / picture.request.size.width;
     const QPointF middle = target.topLeft() + *extras.loupe * perPixel;
@@ -125,6 +143,7 @@ void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& pi
     paintLayers(painter, target, picture, extras.wipe);
     painter.setRenderHint(QPainter::Antialiasing);
     if (!picture.other.isNull() && !isPale(extras.wipe.mode)) paintWipeLine(painter, target, extras);
+    paintNames(painter, target, picture, extras);
     if (extras.markedLoss) {
         const double perPixel = target.width() / picture.request.size.width;
         const QPointF middle = target.topLeft() + extras.markedLoss->center() * perPixel;

@@ -3,10 +3,17 @@
 #include <QPainter>
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "ui/jobs/view_picture.h"
 
 namespace cullscope::ui {
+
+/// A word over a picture.
+struct PlacedName {
+    QString text;
+    QPointF place;  ///< of what it names, in picture pixels from the top left; the word stands above it
+};
 
 /// The overlays of a picture, in the units of the painter.
 struct PictureExtras {
@@ -14,6 +21,7 @@ struct PictureExtras {
     QString left, right;               ///< labels of the two sides of the wipe's line
     std::optional<QPointF> loupe;      ///< its centre, in picture pixels from the top left
     std::optional<QRectF> markedLoss;  ///< in picture pixels from the top left
+    std::vector<PlacedName> names{};   ///< of objects
     bool modelScales = false;          ///< degrees and colour scale of a model in spherical coordinates
     double unit = 1.0;                 ///< scale of line widths and of the loupe: 1 in a window, more in a large screenshot
 };

@@ -8,12 +8,11 @@
 #include "ui/session/session_state.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "ui/views/object_names.h"
 #include "ui/views/pick_painter.h"
 #include "ui/views/view_input.h"
 
 namespace cullscope::ui {
-
-namespace {}  // namespace
 
 SceneView::SceneView(Session& session, int view, QWidget* parent)
     : QWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
@@ -130,6 +129,8 @@ PictureExtras SceneView::extras() const {
         if (m_loupe) extras.loupe = m_loupePlace;
         return extras;
     }
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (shown) extras.names = objectNames(m_session, *shown);
     if (!m_session.question()) extras.wipe = m_session.setup(m_view).wipe;
     const auto nameOf = [this](int view) {
         return translated(findStrategy(m_session.slot(m_session.culledBy(view)).id()).info.name);
@@ -139,7 +140,6 @@ PictureExtras SceneView::extras() const {
                       ? tr("Truth")
                       : tr("%1: %2", "letter of a view, strategy").arg(viewLetter(extras.wipe.other), nameOf(extras.wipe.other));
     extras.right = truth ? nameOf(m_view) : tr("%1: %2", "letter of a view, strategy").arg(viewLetter(m_view), nameOf(m_view));
-    const ViewPicturePointer shown = m_session.picture(m_view);
     if (!shown) return extras;
     const int height = shown->request.size.height;
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;

@@ -75,6 +75,19 @@ QString ViewPane::visibleSets() const {
         .arg(countText(sets.both), countText(sets.onlyFirst), viewLetter(wipe.other), countText(sets.onlySecond));
 }
 
+QString ViewPane::markedPixels(const ViewPicture& shown) const {
+    const ViewMetrics& figures = m_session.figures(m_view);
+    // What snapping explains is known of the frame that was counted, seen by its own camera.
+    const bool counted = figures.state == ViewMetrics::State::Ready && figures.frame &&
+                         figures.frame->request.sameFrame(shown.frame->request) &&
+                         shown.request.viewing == shown.request.culling && figures.accuracy.missedPixels == shown.missed;
+    const uint64_t lost = counted ? figures.lostPixels() : shown.missed;
+    if (lost == shown.missed)
+        return tr("missed pixels: %1, nearer than the truth: %2").arg(countText(lost), countText(shown.added));
+    return tr("missed pixels: %1, within snapping and not lost: %2, nearer than the truth: %3")
+        .arg(countText(lost), countText(shown.missed - lost), countText(shown.added));
+}
+
 QString ViewPane::chipText() const {
     // A refused strategy has no picture: state only the reason.
     if (m_session.slot(m_session.culledBy(m_view)).refused()) return translated(m_session.figures(m_view).failure);
@@ -104,8 +117,7 @@ QString ViewPane::chipText() const {
     const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
     if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);
     const PictureExtras extras = m_picture->extras();
-    if (shown && shown->request.wipe == Wipe::Mode::Loss)
-        parts << tr("missed pixels: %1, nearer than the truth: %2").arg(countText(shown->missed), countText(shown->added));
+    if (shown && shown->request.wipe == Wipe::Mode::Loss) parts << markedPixels(*shown);
     if (shown && shown->request.wipe == Wipe::Mode::Difference)
         parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(extras.wipe.other));
     if (const QString sets = visibleSets(); !sets.isEmpty()) parts << sets;

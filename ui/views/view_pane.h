@@ -53,6 +53,8 @@ private:
     [[nodiscard]] QPoint chipPlace() const;
     void retranslate();
     [[nodiscard]] QStringList lensParts() const;
+    /// How many pixels the picture marks as missed or added, and how many of the former are no loss.
+    [[nodiscard]] QString markedPixels(const ViewPicture& shown) const;
     /// The differences between the visible set and that of the compared view; empty: no view is compared, or the sets are not
     /// known.
     [[nodiscard]] QString visibleSets() const;

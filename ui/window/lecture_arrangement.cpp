@@ -29,6 +29,7 @@ constexpr double kLeastOfPicture = 0.4;  // the same where little height is left
 constexpr double kShapeOfPicture = 4.0 / 3;
 constexpr double kMapShare = 0.5;          // of the structure's height: the map, with the view that watches beside it
 constexpr double kMapShareByCurve = 0.38;  // the same where a curve stands below, which needs room, too
+constexpr int kLeastMap = 110;             // so high is a map at least, above a curve that needs the rest
 constexpr double kWatchingWidth = 0.42;    // of the structure's width, at most: that view beside a map
 constexpr int kFoot = 56;
 constexpr int kButton = 40;
@@ -102,7 +103,12 @@ void LectureWindow::arrangePanes(const QRect& place) {
     const QRect pictures = place.adjusted(0, 0, -side, 0);
     QRect inside(pictures.right() + 1 + margin, place.top(), std::max(0, side - 2 * margin), place.height());
     const double ofMap = m_structure->showsCurve() ? kMapShareByCurve : kMapShare;
-    const int strip = int(ofMap * inside.height());
+    int strip = int(ofMap * inside.height());
+    if (m_structure->showsCurve())
+        strip = std::min(strip, std::max(scaled(kLeastMap), inside.height() - m_structure->leastBelowMap()));
+    // No higher than the map beside the watching view needs: the listing below has ten lines.
+    const int widest = watched ? std::min(int(kShapeOfPicture * strip), int(kWatchingWidth * inside.width())) : 0;
+    if (map) strip = std::min(strip, m_structure->map().map().wholeHeight(inside.width() - widest - scaled(kPaneGap)));
     int besideMap = 0;
     for (ViewPane* pane : m_panes) {
         pane->setLent(shown.size() == 1 || watched ? ViewPane::Lent::Alone : ViewPane::Lent::Beside, scaled(kSmallestLetters));
@@ -113,7 +119,7 @@ void LectureWindow::arrangePanes(const QRect& place) {
         m_panes[1]->setCompare(false);
         m_panes[0]->setGeometry(pictures);
         if (map) {
-            const int across = std::min(int(kShapeOfPicture * strip), int(kWatchingWidth * inside.width()));
+            const int across = std::min(int(kShapeOfPicture * strip), widest);
             m_panes[1]->setGeometry(inside.left(), inside.top(), across, strip);
             besideMap = across + scaled(kPaneGap);
         } else {

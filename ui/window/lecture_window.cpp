@@ -170,8 +170,8 @@ void LectureWindow::setLessons(LessonPlayer* lessons, const Language* language) 
         reveal(false);
     });
     connect(lessons, &LessonPlayer::shown, this, [this](const LessonStep& step) {
-        if (!step.state.inside.map.empty()) m_structure->map().setColouring(step.state.inside.map);
-        if (!step.state.inside.page.empty()) m_structure->showPage(step.state.inside.page);
+        if (!step.state.structurePanel.map.empty()) m_structure->map().setColouring(step.state.structurePanel.map);
+        if (!step.state.structurePanel.page.empty()) m_structure->showPage(step.state.structurePanel.page);
         borrow();
     });
 }

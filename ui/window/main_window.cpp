@@ -208,7 +208,7 @@ void MainWindow::wireCommands() {
     connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     m_document->setArrangement([this] { return arrangement(); });
     m_document->opener().setWindowState([this](SessionState& state) {
-        state.inside = {m_structure->page(), m_structure->map().map().colouring()};
+        state.structurePanel = {m_structure->page(), m_structure->map().map().colouring()};
     });
     connect(&m_lessons->player(), &LessonPlayer::shown, this, [this](const LessonStep& step) {
         showPanels(step.state);

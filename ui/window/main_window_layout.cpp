@@ -87,8 +87,8 @@ void MainWindow::beginLecture() {
 
 void MainWindow::showPanels(const SessionState& state) {
     state.place ? stepper().startAt(*state.place) : stepper().stop();
-    if (!state.inside.map.empty()) m_structure->map().setColouring(state.inside.map);
-    if (!state.inside.page.empty()) m_structure->showPage(state.inside.page);
+    if (!state.structurePanel.map.empty()) m_structure->map().setColouring(state.structurePanel.map);
+    if (!state.structurePanel.page.empty()) m_structure->showPage(state.structurePanel.page);
 }
 
 bool MainWindow::restoreLayout(bool viewCount) {

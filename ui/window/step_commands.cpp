@@ -13,7 +13,7 @@ StepCommands::StepCommands(Session& session, WindowActions& actions, QWidget* wi
       m_stepper(new Stepper(session, this)),
       m_questions(new QuestionFirst(session, this)) {
     connect(actions.questionFirst, &QAction::triggered, this,
-            [this](bool on) { on ? m_questions->ask(Prediction::Question::Vanish) : m_questions->withdraw(); });
+            [this](bool on) { on ? m_questions->ask(m_questions->usualQuestion()) : m_questions->withdraw(); });
     connect(m_questions, &QuestionFirst::answered, this, &StepCommands::showAnswer);
     // Steps would answer an open question.
     connect(&session, &Session::questionChanged, this, [this] {

@@ -45,6 +45,9 @@ struct KeptFigures {
     std::optional<RatioEstimate> ratio;
     std::optional<double> missedPpm;
 };
+/// The figures of a strategy's run from their text, JSON as a store and the desktop's former history have it. Throws
+/// nlohmann::json::exception where a field is wanting or of another kind.
+[[nodiscard]] KeptFigures keptFigures(std::string strategy, const std::string& text);
 struct OldExperiment {
     std::string started, scene, path;
     Viewport size{};

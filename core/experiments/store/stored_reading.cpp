@@ -124,23 +124,6 @@ void readHead(StoredRun& stored) {
     run.structure.bytes = head.at("structure_bytes").get<uint64_t>();
 }
 
-KeptFigures figuresFrom(const std::string& strategy, const std::string& text) {
-    const ResultFields json = ResultFields::parse(text);
-    KeptFigures old;
-    old.strategy = strategy;
-    old.baseline = json.at("baseline").get<std::string>();
-    if (json.contains("ratio")) {
-        RatioEstimate ratio;
-        ratio.ratio = json.at("ratio").get<double>();
-        ratio.hasInterval = json.contains("ratio_ci95");
-        ratio.ci95 = {2.0 * ratio.ratio, 2.0 * ratio.ratio};
-        if (ratio.hasInterval) ratio.ci95 = json.at("ratio_ci95").get<std::array<double, 2>>();
-        old.ratio = ratio;
-    }
-    if (json.contains("missed_ppm")) old.missedPpm = json.at("missed_ppm").get<double>();
-    return old;
-}
-
 void readFrames(const Database& database, int64_t number, StoredRun& stored) {
     Statement select(database,
                      "SELECT fields, own_raster, frame_times, cull_times, judged FROM frame WHERE run = ? ORDER BY pose");
@@ -215,7 +198,7 @@ Stored ResultStore::read(int64_t number) const {
             run.head = select.text(4);
             readHead(run);
             readFrames(m_database, select.number(0), run);
-            if (!select.isNothing(5) && run.frames.empty()) run.old = figuresFrom(run.strategy, select.text(5));
+            if (!select.isNothing(5) && run.frames.empty()) run.old = keptFigures(run.strategy, select.text(5));
             if (run.askedFor) stored.listed.strategies.push_back(run.strategy);
             stored.runs.push_back(std::move(run));
         }
@@ -226,6 +209,23 @@ Stored ResultStore::read(int64_t number) const {
     }
     summarize(stored);
     return stored;
+}
+
+KeptFigures keptFigures(std::string strategy, const std::string& text) {
+    const ResultFields json = ResultFields::parse(text);
+    KeptFigures figures;
+    figures.strategy = std::move(strategy);
+    figures.baseline = json.at("baseline").get<std::string>();
+    if (json.contains("ratio")) {
+        RatioEstimate ratio;
+        ratio.ratio = json.at("ratio").get<double>();
+        ratio.hasInterval = json.contains("ratio_ci95");
+        ratio.ci95 = {2.0 * ratio.ratio, 2.0 * ratio.ratio};
+        if (ratio.hasInterval) ratio.ci95 = json.at("ratio_ci95").get<std::array<double, 2>>();
+        figures.ratio = ratio;
+    }
+    if (json.contains("missed_ppm")) figures.missedPpm = json.at("missed_ppm").get<double>();
+    return figures;
 }
 
 KeptFigures figuresOf(const StoredRun& run) {
@@ -248,7 +248,7 @@ std::vector<KeptFigures> ResultStore::figures(int64_t number) const {
                 all.clear();
                 break;
             }
-            all.push_back(figuresFrom(select.text(0), select.text(1)));
+            all.push_back(keptFigures(select.text(0), select.text(1)));
         }
     } catch (const ResultFields::exception&) {
         m_database.refuse();

@@ -105,7 +105,7 @@ Show clusterBoxes() {
     Show show;
     show.id = kClusterBoxes;
     show.help = "of clusters: the boxes at which the walk over each object's clusters ended, by what became of them";
-    show.title = CULLSCOPE_TR("Clusters");
+    show.title = CULLSCOPE_TR("Boxes of clusters");
     show.action = CULLSCOPE_TR("Boxes of cl&usters");
     show.explanation = CULLSCOPE_TR(
         "Show in the active view the boxes of the clusters, or of groups of them that were decided together, by what became of "

@@ -23,7 +23,7 @@ struct Occluders {
     explicit Occluders(const Scene& scene, const Progress& progress = {});
 
     [[nodiscard]] uint64_t bytes() const;
-    /// How many of an instance's largest triangles have so many pixels each, at least, where they face the eye at the nearest
+    /// How many of an instance's largest triangles have so many pixels each on average, where they face the eye at the nearest
     /// point of the instance's box.
     [[nodiscard]] size_t countFrom(const Scene& scene, uint32_t instance, const View& view, double pixels) const;
 };
@@ -33,7 +33,7 @@ struct Occluders {
 
 /// A world box as an occlusion buffer is asked about it.
 struct AskedBox {
-    std::optional<BoxInPicture> place;  ///< none: it is not asked about, and counts as visible
+    std::optional<BoxInPicture> place;  ///< none: it reaches before the near plane, and counts as visible
     double nearest = 0.0;               ///< distance ahead of the eye, grown
     double growth = 0.0;                ///< towards the eye, world units
 };

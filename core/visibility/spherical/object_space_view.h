@@ -3,9 +3,9 @@
 #include <array>
 
 #include "core/spatial/spherical_maps.h"
+#include "core/visibility/object_record.h"
 #include "core/visibility/part_view.h"
 #include "core/visibility/spherical/decision.h"
-#include "core/visibility/object_record.h"
 
 namespace cullscope::spherical {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/visibility/spherical/decision.h"
 #include "core/visibility/object_record.h"
+#include "core/visibility/spherical/decision.h"
 
 namespace cullscope::spherical {
 

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "core/visibility/spherical/decision.h"
 #include "core/visibility/object_record.h"
+#include "core/visibility/spherical/decision.h"
 #include "core/visibility/spherical/object_space_view.h"
 #include "core/visibility/spherical/readings.h"
 

@@ -37,7 +37,7 @@ TEST_F(FileName, smallestFreeNumberIsTaken) {
     touch("bunny-frustum-0003.png");
     EXPECT_EQ(next("{scene}-{strategy}-{n:04}.png"), "bunny-frustum-0002.png");
     std::filesystem::create_symlink("nowhere", folder() / "bunny-frustum-0002.png");
-    EXPECT_EQ(next("{scene}-{strategy}-{n:04}.png"), "bunny-frustum-0004.png") << "a link to nothing is somebody's";
+    EXPECT_EQ(next("{scene}-{strategy}-{n:04}.png"), "bunny-frustum-0004.png") << "a link to nothing takes the name, too";
     EXPECT_EQ(next("{scene}-{strategy}-{n:04}.jpg"), "bunny-frustum-0001.jpg");
     for (int i = 1; i < 10; ++i) touch("p" + std::to_string(i));
     EXPECT_EQ(next("p{n}"), "p10");

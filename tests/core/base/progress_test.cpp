@@ -19,7 +19,7 @@ TEST(Progress, stopIsSeenThroughAPart) {
     const Progress whole{nullptr, source.get_token()};
     const Progress part = whole.part(0.0, 0.5);
     EXPECT_NO_THROW(part.check());
-    part.tell(1.0, "nobody listens");
+    part.tell(1.0, "without a listener");
     source.request_stop();
     EXPECT_TRUE(part.stopRequested());
     EXPECT_THROW(part.check(), Error);

@@ -269,6 +269,30 @@ TEST(PlotDrawing, ticksOfWholeNumbersAreWhole) {
     EXPECT_THAT(rangeAlongY(plot).ticks, ElementsAre(0, 1)) << "nothing but zeros";
 }
 
+TEST(PlotDrawing, namedTicksDoNotOverlapHoweverLowThePlotIs) {
+    // As the poses of a measurement have them: two upwards, three close to each other below.
+    LinePlot plot = plotOf({{0, 1}, {3, -0.5}}, PlotScale::Linear);
+    plot.y.ticks = {{1.0, "top"}, {0.5, "half"}, {-0.5, "last"}, {-0.17, "first"}, {-0.33, "middle"}};
+    const PlotStyle style = plainStyle();
+    size_t fewest = 5, most = 0;
+    for (double height = neededHeight({plot}, 500.0, style); height < 400.0; height += 7.0) {
+        std::vector<double> tops;
+        std::vector<std::string> words;
+        for (const DrawnText& text : itemsOf<DrawnText>(drawPlots({plot}, 500.0, height, style)))
+            if (std::ranges::find(plot.y.ticks, text.words, &PlotTick::label) != plot.y.ticks.end()) {
+                for (const double top : tops)
+                    EXPECT_GE(std::abs(top - text.at.y), style.height) << text.words << " at " << height;
+                tops.push_back(text.at.y);
+                words.push_back(text.words);
+            }
+        EXPECT_THAT(words, testing::IsSupersetOf({"top", "last"})) << "the former ones come first, at " << height;
+        fewest = std::min(fewest, words.size());
+        most = std::max(most, words.size());
+    }
+    EXPECT_LT(fewest, 5u) << "else none was too low";
+    EXPECT_EQ(most, 5u);
+}
+
 TEST(LinePlot, exponentIsThePower) {
     std::vector<PlotPoint> points;
     for (const double x : {10.0, 300.0, 7000.0}) points.push_back({x, 3.0 * std::pow(x, 1.5)});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-include "core/geometry/random.h"
+#include "core/geometry/random.h"
 #include "core/geometry/triangle.h"
 #include "core/measure/reference.h"
 #include "core/scene/eye_triangle.h"

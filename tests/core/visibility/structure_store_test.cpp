@@ -138,7 +138,7 @@ protected:
     void fill(Structure& /*structure*/, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
         ++builds;
         begun.release();
-        if (!mayGoOn.try_acquire_for(30s)) throw std::runtime_error("nobody let it go on");
+        if (!mayGoOn.try_acquire_for(30s)) throw std::runtime_error("the test did not let it go on");
         if (fails) throwInterrupted();
     }
     void decide(FrameContext& /*frame*/, const Structure& /*structure*/, ViewState& /*state*/,

@@ -8,10 +8,9 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/layers_scene.h"
 #include "core/visibility/why.h"
-#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/stopped_work.h"
-#include "tests/support/test_scenes.h"
+#include "tests/support/wall_scene.h"
 
 namespace cullscope::test::octree_query_test {
 namespace {
@@ -28,30 +27,6 @@ View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::
 
 Culled frameOf(Culler& culler, const View& view, Recording recording = Recording::On) {
     return culler.cull(view, recording, &GlEnvironment::renderer());
-}
-
-std::set<uint32_t> drawn(const Culled& frame) {
-    std::set<uint32_t> instances;
-    for (const DrawRange& range : frame.drawList.ranges) instances.insert(range.instance);
-    return instances;
-}
-
-double figure(const Culled& frame, const std::string& name) {
-    for (const NamedFigure& one : frame.log.counters.figures)
-        if (one.name == name) return one.value;
-    ADD_FAILURE() << "no figure " << name;
-    return 0.0;
-}
-
-/// A wall at distance 3 that fills the view, spheres behind it, one before it, and one behind the eye.
-ScenePointer wallBeforeSpheres() {
-    std::vector<MeshPointer> meshes{squareMesh(8, -3), sphereMesh(320), sphereMesh(320)};
-    std::vector<Mat4> places{Mat4(1.0), translation({0, 0, -1.5}) * scaling(Vec3(0.2)), translation({0, 0, 6})};
-    for (int i = 0; i < 12; ++i) {
-        meshes.push_back(sphereMesh(320));
-        places.push_back(translation({2.5 * (i % 4) - 3.5, 2.5 * (i / 4) - 2.5, -8.0 - (i % 3)}));
-    }
-    return sceneOf(std::move(meshes), places);
 }
 
 TEST(OctreeQuery, leavesOutWhatAWallHidesAndDrawsTheRest) {

@@ -1,0 +1,36 @@
+// What the chip says of marked pixels agrees with the count of missed ones.
+#include "core/scene/camera_moves.h"
+#include "tests/ui/shown_window.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui::marked_pixels_test {
+namespace {
+
+TEST_F(Window, whatSnappingExplainsIsNoMissedPixelInTheChipOfMarkedOnes) {
+    openAndWait(session, QStringLiteral("knot:triangles=20000"));
+    session.slot(0).choose("backface");
+    ViewSetup setup = session.setup(0);
+    setup.wipe.mode = Wipe::Mode::Loss;
+    setup.size = Viewport{640, 480};
+    session.setSetup(0, setup);
+    uint64_t explained = 0;
+    for (int turn = 0; turn < 40 && explained == 0; ++turn) {
+        session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(9.0), {}));
+        settle();
+        ASSERT_TRUE(waitUntil([&] { return session.figures(0).state == ViewMetrics::State::Ready; }));
+        const ViewMetrics& figures = session.figures(0);
+        explained = figures.accuracy.missedPixels - figures.lostPixels();
+        EXPECT_EQ(session.picture(0)->missed, figures.accuracy.missedPixels) << "so many are marked";
+        const QString chip = window.views().pane(0).chipText();
+        EXPECT_TRUE(chip.contains(QStringLiteral("missed pixels: %1,").arg(countText(figures.lostPixels()))))
+            << chip.toStdString();
+        if (explained > 0) {
+            const QString within = QStringLiteral("within snapping and not lost: ") + countText(explained);
+            EXPECT_TRUE(chip.contains(within)) << chip.toStdString();
+        }
+    }
+    EXPECT_GT(explained, 0u) << "else nothing was tried";
+}
+
+}  // namespace
+}  // namespace cullscope::ui::marked_pixels_test

@@ -1,0 +1,67 @@
+// Objects have their names in the picture where sentences and questions name them, and the quiz is asked about its order.
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "tests/ui/shown_window.h"
+
+namespace cullscope::ui::object_names_test {
+namespace {
+
+struct ObjectNames : Window {
+    void openScene(const QString& scene) {
+        openAndWait(session, scene);
+        settle();
+        ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
+    }
+
+    /// The names of the first view's picture, each of which lies in it.
+    std::string names() {
+        QStringList names;
+        for (const PlacedName& name : picture(0).extras().names) {
+            names << name.text;
+            const Viewport size = session.picture(0)->request.size;
+            EXPECT_TRUE(QRectF(0, 0, size.width, size.height).contains(name.place)) << name.text.toStdString();
+        }
+        return names.join(QLatin1Char(' ')).toStdString();
+    }
+};
+
+TEST_F(ObjectNames, theQuizHasThemAlwaysAndIsAskedAboutItsOrder) {
+    openScene(QStringLiteral("quiz"));
+    EXPECT_EQ(names(), "A B C");
+    // They are painted: without them the same picture has other pixels.
+    PictureExtras extras = picture(0).extras();
+    const auto painted = [&] {
+        QImage image(640, 480, QImage::Format_RGB32);
+        QPainter painter(&image);
+        paintPicture(painter, image.rect(), *session.picture(0), extras);
+        return image;
+    };
+    const QImage named = painted();
+    extras.names.clear();
+    EXPECT_NE(named, painted());
+    window.actions().questionFirst->trigger();
+    EXPECT_EQ(session.question()->question, Prediction::Question::Order);
+    EXPECT_EQ(names(), "A B C");
+}
+
+TEST_F(ObjectNames, otherScenesHaveThemInAQuestionAlone) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("two.obj"));
+    std::ofstream(file.toStdString())
+        << "o Left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no Right\nv 2 0 0\nv 3 0 0\nv 2 1 0\nf 4 5 6\n";
+    openScene(file);
+    EXPECT_EQ(names(), "");
+    window.actions().questionFirst->trigger();
+    EXPECT_EQ(session.question()->question, Prediction::Question::Vanish) << "no planes give an order";
+    EXPECT_EQ(names(), "Left Right");
+    // More names than can be read are none.
+    openScene(QStringLiteral("quiz"));
+    openScene(QStringLiteral("field:mesh=sphere:triangles=80,n=6"));
+    window.actions().questionFirst->trigger();
+    ASSERT_TRUE(session.question());
+    EXPECT_EQ(names(), "");
+}
+
+}  // namespace
+}  // namespace cullscope::ui::object_names_test
