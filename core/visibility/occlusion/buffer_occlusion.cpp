@@ -7,15 +7,29 @@
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/occlusion/buffer_walk.h"
+#include "core/visibility/occlusion/occluder_parameters.h"
 #include "core/visibility/overlay.h"
 
 namespace cullscope::occlusion {
 namespace {
 
-constexpr const char* kPixels = "pixels";
-constexpr const char* kTriangles = "triangles";
 constexpr const char* kOccluders = "occluders";
 constexpr float kOccluderWidth = 1.5f;  // units
+
+/// The lines of the listing (bufferListing).
+enum class BufferLine : uint8_t { Visit = 1, Frustum, Outside, Ask, Hidden, Parts, Object, Occlude, AskAgain, Draw };
+
+constexpr BufferLines kBufferLines{.walk = {.groupPlanes = uint8_t(BufferLine::Frustum),
+                                            .groupAxes = uint8_t(BufferLine::Frustum),
+                                            .groupOutside = uint8_t(BufferLine::Outside),
+                                            .groupInside = uint8_t(BufferLine::Parts),
+                                            .objectTests = uint8_t(BufferLine::Object),
+                                            .objectOutside = uint8_t(BufferLine::Outside)},
+                                   .group = uint8_t(BufferLine::Ask),
+                                   .object = uint8_t(BufferLine::Object),
+                                   .hidden = uint8_t(BufferLine::Hidden),
+                                   .occlude = uint8_t(BufferLine::Occlude),
+                                   .again = uint8_t(BufferLine::AskAgain)};
 
 struct OccluderOctree : Structure {
     using Structure::Structure;
@@ -99,9 +113,10 @@ protected:
         std::vector<KeptObject> kept;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("walk and occluders"));
-            kept = walkWithBuffer(structure.octree, structure.occluders, structure.parts, frame,
-                                  {parameters.real(kPixels), uint64_t(parameters.integer(kTriangles))}, memory.planes,
-                                  memory.buffer, counted);
+            kept =
+                walkWithBuffer(structure.octree, structure.occluders, structure.parts, frame,
+                               {parameters.real(kOccluderPixels), uint64_t(parameters.integer(kOccluderTriangles)), kBufferLines},
+                               memory.planes, memory.buffer, counted);
         }
         DrawList list{frame.facing(), {}};
         for (const KeptObject& object : kept) {
@@ -183,27 +198,8 @@ Show bufferListing() {
 }
 
 RegisteredStrategy withBuffer(OcclusionForm form, StrategyInfo info) {
-    info.parameters = {
-        facingParameter(),
-        bySize({kPixels,
-                ParameterType::Real,
-                16.0,
-                1.0,
-                1e6,
-                "px",
-                CULLSCOPE_TR(
-                    "How many pixels the triangles of an occluder have on average, seen face on: smaller ones hide little."),
-                {}},
-               1.0),
-        {kTriangles,
-         ParameterType::Integer,
-         int64_t{100000},
-         0.0,
-         1e6,
-         "",
-         CULLSCOPE_TR("How many triangles all occluders of a frame may have together."),
-         {}}};
-    info.sweeps = {{kPixels, {"4", "16", "64", "256", "1024"}}, {kTriangles, {"0", "1000", "5000", "20000", "100000"}}};
+    info.parameters = {facingParameter(), occluderPixelsParameter(), occluderTrianglesParameter()};
+    info.sweeps = {occluderPixelsSweep(), occluderTrianglesSweep()};
     info.shows = {occludersShow(), treeShow(), bufferListing(), barsShow("hidden-objects", CULLSCOPE_TR("What occluders hid"))};
     return {std::move(info), std::make_shared<BufferOcclusion>(form)};
 }

@@ -5,13 +5,6 @@
 namespace cullscope::occlusion {
 namespace {
 
-constexpr OctreeWalkLines kWalkLines{.groupPlanes = uint8_t(BufferLine::Frustum),
-                                     .groupAxes = uint8_t(BufferLine::Frustum),
-                                     .groupOutside = uint8_t(BufferLine::Outside),
-                                     .groupInside = uint8_t(BufferLine::Parts),
-                                     .objectTests = uint8_t(BufferLine::Object),
-                                     .objectOutside = uint8_t(BufferLine::Outside)};
-
 class BufferWalk {
 public:
     BufferWalk(const GroupTree& tree, const Occluders& occluders, const PartBoxes& parts, FrameContext& frame,
@@ -27,7 +20,7 @@ public:
 
     std::vector<KeptObject> run(LastFailedPlanes& memory) {
         m_buffer.begin(m_frame.view());
-        OctreeWalkOptions options{true, &memory, kWalkLines};
+        OctreeWalkOptions options{true, &memory, m_options.lines.walk};
         options.nearestFirst = true;
         options.visited = [this](uint32_t node, uint32_t /*planes*/) { return visits(node); };
         options.keeps = [this](uint32_t instance, uint8_t nesting) { return keeps(instance, nesting); };
@@ -42,11 +35,11 @@ private:
         const InstanceOctree::Node& node = m_tree.nodes[number];
         // The box of a node with one object is the object's, about which the buffer is asked next.
         const Subject subject = Subject::ofNode(m_tree.firstNumber + number);
-        if (node.count == 1 || !hides(subject, m_tree.boxOf(number), BufferLine::Ask, node.depth)) return true;
+        if (node.count == 1 || !hides(subject, m_tree.boxOf(number), m_options.lines.group, node.depth)) return true;
         ++m_counters.hiddenNodes;
         m_counters.hiddenTriangles += node.triangles;
         if (m_frame.recording()) {
-            Decision decision = atLine(BufferLine::Hidden, ending(subject, Decision::Outcome::Culled, Cause::Hidden));
+            Decision decision = atLine(m_options.lines.hidden, ending(subject, Decision::Outcome::Culled, Cause::Hidden));
             decision.nesting = node.depth;
             m_frame.say(decision, m_tree.instancesOf(node));
         }
@@ -54,24 +47,24 @@ private:
     }
 
     bool keeps(uint32_t instance, uint8_t nesting) {
-        const bool hidden = asksAndLeavesOut(instance, BufferLine::Object, nesting);
+        const bool hidden = asksAndLeavesOut(instance, m_options.lines.object, nesting);
         if (!hidden) occlude(instance, nesting);
         return !hidden;
     }
 
     /// The last question about an object that was kept: only where occluders came after it.
     bool hidesNow(uint32_t instance) {
-        return m_askedOf[instance] < m_counters.occluders && asksAndLeavesOut(instance, BufferLine::AskAgain, 0);
+        return m_askedOf[instance] < m_counters.occluders && asksAndLeavesOut(instance, m_options.lines.again, 0);
     }
 
-    bool asksAndLeavesOut(uint32_t instance, BufferLine line, uint8_t nesting) {
+    bool asksAndLeavesOut(uint32_t instance, uint8_t line, uint8_t nesting) {
         const Subject subject = Subject::ofObject(instance);
         if (!hides(subject, m_frame.scene().instanceBox(instance), line, nesting) && !hidesParts(instance, line, nesting))
             return false;
         ++m_counters.hiddenObjects;
         m_counters.hiddenTriangles += m_frame.scene().meshOf(instance).triangleCount();
         if (m_frame.recording()) {
-            Decision decision = atLine(BufferLine::Hidden, ending(subject, Decision::Outcome::Culled, Cause::Hidden));
+            Decision decision = atLine(m_options.lines.hidden, ending(subject, Decision::Outcome::Culled, Cause::Hidden));
             decision.nesting = nesting;
             m_frame.say(decision);
         }
@@ -98,11 +91,11 @@ private:
         decision.operands = {double(count), m_options.pixels};
         decision.operandCount = 2;
         decision.nesting = nesting;
-        m_frame.say(atLine(BufferLine::Occlude, decision));
+        m_frame.say(atLine(m_options.lines.occlude, decision));
     }
 
     /// Asks the buffer about a box.
-    bool hides(const Subject& subject, const Box3& box, BufferLine line, uint8_t nesting) {
+    bool hides(const Subject& subject, const Box3& box, uint8_t line, uint8_t nesting) {
         if (m_buffer.empty()) {
             if (m_frame.recording())
                 say(subject, line, nesting, false,
@@ -117,7 +110,7 @@ private:
     }
 
     /// Asks about the boxes of an object's parts: all have to be hidden, or to lie beside the picture.
-    bool hidesParts(uint32_t instance, BufferLine line, uint8_t nesting) {
+    bool hidesParts(uint32_t instance, uint8_t line, uint8_t nesting) {
         const std::span<const Box3> parts = m_parts.of(instance);
         if (parts.empty() || m_buffer.empty()) return false;
         const bool hidden = std::ranges::all_of(parts, [this](const Box3& part) {
@@ -133,39 +126,17 @@ private:
         return hidden;
     }
 
-    void sayAsked(const Subject& subject, BufferLine line, uint8_t nesting, bool hidden, const AskedBox& asked) {
-        if (!asked.place || asked.place->pixels() == 0)
-            return say(
-                subject, line, nesting, false,
-                CULLSCOPE_TR("Its box, grown by %1, reaches before the near plane or lies beside the picture: it counts as "
-                             "visible."),
-                {asked.growth});
-        const BoxInPicture& place = *asked.place;
-        const auto pixels = double(place.pixels());
-        const float farthest = m_buffer.farthestIn(place);
-        if (!(farthest > 0.0f))
-            return say(subject, line, nesting, hidden,
-                       CULLSCOPE_TR("Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: one of them shows no "
-                                    "occluder, so it counts as visible."),
-                       {asked.growth, asked.nearest, pixels});
-        const double behind = m_frame.view().distanceFromDepth(farthest);
-        say(subject, line, nesting, hidden,
-            hidden ? CULLSCOPE_TR("Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, the "
-                                  "farthest %4 ahead, which hide it.")
-                   : CULLSCOPE_TR("Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, but "
-                                  "the farthest is %4 ahead, so it counts as visible."),
-            {asked.growth, asked.nearest, pixels, behind});
+    void sayAsked(const Subject& subject, uint8_t line, uint8_t nesting, bool hidden, const AskedBox& asked) {
+        Decision decision = askedDecision(m_buffer, asked, hidden, m_frame.view());
+        decision.subject = subject;
+        decision.nesting = nesting;
+        m_frame.say(atLine(line, decision));
     }
 
-    void say(const Subject& subject, BufferLine line, uint8_t nesting, bool hidden, const char* sentence,
+    void say(const Subject& subject, uint8_t line, uint8_t nesting, bool hidden, const char* sentence,
              std::initializer_list<double> operands) {
-        Decision decision;
+        Decision decision = hidingTest(hidden, sentence, operands);
         decision.subject = subject;
-        decision.containment = hidden ? Containment::Outside : Containment::Straddles;
-        decision.cause = Cause::Hidden;
-        decision.sentence = sentence;
-        std::ranges::copy(operands, decision.operands.begin());
-        decision.operandCount = uint8_t(operands.size());
         decision.nesting = nesting;
         m_frame.say(atLine(line, decision));
     }

@@ -11,12 +11,17 @@
 
 namespace cullscope::occlusion {
 
-/// The lines of the listing of `occlusion-depth` and `occlusion-masked`.
-enum class BufferLine : uint8_t { Visit = 1, Frustum, Outside, Ask, Hidden, Parts, Object, Occlude, AskAgain, Draw };
+/// The lines of a strategy's listing at which the decisions of a walk with a buffer fall: those of the walk through the octree,
+/// then the questions about groups and objects, what is hidden, the next occluder, and the last question about an object.
+struct BufferLines {
+    OctreeWalkLines walk{};
+    uint8_t group = 0, object = 0, hidden = 0, occlude = 0, again = 0;
+};
 
 struct BufferOptions {
     double pixels = 0.0;     ///< the triangles of an occluder have so many on average, face on at its object's nearest point
     uint64_t triangles = 0;  ///< occluders have at most so many together
+    BufferLines lines{};
 };
 
 struct BufferCounters {

@@ -21,6 +21,12 @@ constexpr OctreeWalkLines kGroupLines{.groupPlanes = uint8_t(ClusterLine::Groups
                                       .groupInside = uint8_t(ClusterLine::Groups),
                                       .objectTests = uint8_t(ClusterLine::Groups),
                                       .objectOutside = uint8_t(ClusterLine::Outside)};
+constexpr BufferLines kClusterBufferLines{.walk = kGroupLines,
+                                   .group = uint8_t(ClusterLine::Hidden),
+                                   .object = uint8_t(ClusterLine::Hidden),
+                                   .hidden = uint8_t(ClusterLine::Hidden),
+                                   .occlude = uint8_t(ClusterLine::Occlude),
+                                   .again = uint8_t(ClusterLine::Hidden)};
 constexpr PartWalkLines kPartLines{.planes = uint8_t(ClusterLine::Planes),
                                    .cones = uint8_t(ClusterLine::Cones),
                                    .hiding = uint8_t(ClusterLine::HiddenPart),
@@ -43,8 +49,7 @@ public:
         : m_frame(frame), m_structure(structure), m_options(options) {}
 
     void run(ClusterMemory& memory) {
-        std::vector<KeptObject> kept = keep(memory);
-        if (m_options.occlusion) occlude(kept, memory);
+        const std::vector<KeptObject> kept = m_options.occlusion ? keepUnhidden(memory) : keep(memory);
         std::vector<WalkedObject> decided(kept.size());
         m_tests = kept.size() <= kMostWithTests;
         if (m_frame.recording() && !m_tests) sayResultsAlone(m_frame);
@@ -85,26 +90,33 @@ private:
             keptObjects(m_structure.octree, m_frame, &walked,
                         {.refine = true, .memory = &memory.planes, .lines = kGroupLines, .visited = {}});
         sortNearestFirst(kept, scene(), m_frame.view().eye());
-        counters().culledTriangles[size_t(Cause::OutsideFrustum)] += walked.trianglesCulled;
-        counters().nodesVisited += walked.nodesVisited + walked.objectsTested;
-        counters().bytesTouched += walked.nodesVisited * sizeof(InstanceOctree::Node) + walked.objectsTested * sizeof(Box3);
+        count(walked);
         return kept;
     }
 
-    /// Leaves out the objects that others hide, and keeps the buffer for the clusters of the others.
-    void occlude(std::vector<KeptObject>& kept, ClusterMemory& memory) {
-        const StageTimer stage(m_frame, CULLSCOPE_TR("occluders"));
+    /// The same without the objects that others hide; keeps the buffer for the clusters of the others.
+    [[nodiscard]] std::vector<KeptObject> keepUnhidden(ClusterMemory& memory) {
+        const StageTimer stage(m_frame, CULLSCOPE_TR("walk and occluders"));
         if (!memory.buffer || memory.buffer->form() != *m_options.occlusion) memory.buffer.emplace(*m_options.occlusion);
-        const OccluderOptions options{
-            m_options.pixels, m_options.triangles, {uint8_t(ClusterLine::Hidden), uint8_t(ClusterLine::Occlude)}};
-        const OccluderResult found = keepUnhidden(kept, m_structure.occluders, m_frame, options, *memory.buffer);
-        counters().culledTriangles[size_t(Cause::Hidden)] += found.hiddenTriangles;
-        counters().figures = {{"occluders", double(found.occluders)},
+        BufferCounters counted;
+        std::vector<KeptObject> kept =
+            walkWithBuffer(m_structure.octree, m_structure.occluders, m_structure.parts, m_frame,
+                           {m_options.pixels, m_options.triangles, kClusterBufferLines}, memory.planes, *memory.buffer, counted);
+        count(counted.walk);
+        counters().culledTriangles[size_t(Cause::Hidden)] += counted.hiddenTriangles;
+        counters().figures = {{"occluders", double(counted.occluders)},
                               {"occluder_triangles", double(memory.buffer->counts().given)},
-                              {"questions", double(found.questions)}};
-        if (memory.buffer->empty()) return;
+                              {"questions", double(counted.questions)}};
+        if (memory.buffer->empty()) return kept;
         counters().workBytes = memory.buffer->bytes();
         m_buffer = &*memory.buffer;
+        return kept;
+    }
+
+    void count(const OctreeWalkCounters& walked) {
+        counters().culledTriangles[size_t(Cause::OutsideFrustum)] += walked.trianglesCulled;
+        counters().nodesVisited += walked.nodesVisited + walked.objectsTested;
+        counters().bytesTouched += walked.nodesVisited * sizeof(InstanceOctree::Node) + walked.objectsTested * sizeof(Box3);
     }
 
     [[nodiscard]] WalkedObject decideAbout(const KeptObject& object) const {

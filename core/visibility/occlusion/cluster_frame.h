@@ -4,6 +4,7 @@
 
 #include "core/frame/frame_context.h"
 #include "core/spatial/instance_octree.h"
+#include "core/visibility/occlusion/buffer_walk.h"
 #include "core/visibility/occlusion/cluster_occlusion.h"
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/scene_clusters.h"
@@ -19,6 +20,7 @@ struct ClusterScene : Structure {
     InstanceOctree octree;
     SceneClusters clusters;
     Occluders occluders;
+    PartBoxes parts;
 };
 
 struct ClusterMemory : ViewState {
@@ -36,7 +38,7 @@ struct ClusterMemory : ViewState {
 struct ClusterOptions {
     bool cones = true;
     std::optional<OcclusionForm> occlusion{};  ///< none: nothing hides
-    double pixels = 0.0;                       ///< as OccluderOptions
+    double pixels = 0.0;                       ///< as BufferOptions
     uint64_t triangles = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/occlusion/cluster_frame.h"
+#include "core/visibility/occlusion/occluder_parameters.h"
 #include "core/visibility/overlay.h"
 #include "core/visibility/triangles_by_test.h"
 
@@ -14,8 +15,6 @@ constexpr const char* kCones = "cones";
 constexpr const char* kOcclusion = "occlusion";
 constexpr const char* kDepth = "depth";
 constexpr const char* kMasked = "masked";
-constexpr const char* kPixels = "pixels";
-constexpr const char* kTriangles = "triangles";
 constexpr const char* kClusterBoxes = "clusters";
 
 class Clusters final : public StrategyWith<ClusterScene, ClusterMemory> {
@@ -49,19 +48,21 @@ protected:
         structure.clusters = SceneClusters(scene, uint32_t(parameters.integer(kClusterSize)), progress.part(0.0, 0.9));
         structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
         structure.occluders = Occluders(scene, progress);
-        structure.report.bytes = structure.clusters.bytes() + structure.octree.bytes() + structure.occluders.bytes();
+        structure.parts = PartBoxes(scene, progress);
+        structure.report.bytes =
+            structure.clusters.bytes() + structure.octree.bytes() + structure.occluders.bytes() + structure.parts.bytes();
         structure.report.figures = structure.clusters.figures();
         structure.report.figures.insert(structure.report.figures.begin(), {{"objects", double(scene.instances().size())},
                                                                            {"groups", double(structure.octree.nodes().size())}});
         structure.report.figures.push_back({"cluster bytes", double(structure.clusters.bytes())});
         structure.report.figures.push_back({"octree bytes", double(structure.octree.bytes())});
-        structure.report.figures.push_back({"occluder bytes", double(structure.occluders.bytes())});
+        structure.report.figures.push_back({"occluder bytes", double(structure.occluders.bytes() + structure.parts.bytes())});
     }
 
     void decide(FrameContext& frame, const ClusterScene& structure, ClusterMemory& memory,
                 const ParameterSet& parameters) const override {
         ClusterOptions options{
-            parameters.boolean(kCones), {}, parameters.real(kPixels), uint64_t(parameters.integer(kTriangles))};
+            parameters.boolean(kCones), {}, parameters.real(kOccluderPixels), uint64_t(parameters.integer(kOccluderTriangles))};
         const std::string& occlusion = parameters.choice(kOcclusion);
         if (occlusion == kDepth) options.occlusion = OcclusionForm::Depth;
         if (occlusion == kMasked) options.occlusion = OcclusionForm::Masked;
@@ -127,30 +128,6 @@ Show clusterListing() {
                         {CULLSCOPE_TR("else walk(each part)"), 1}});
 }
 
-ParameterDeclaration pixelsParameter() {
-    return bySize(
-        {kPixels,
-         ParameterType::Real,
-         64.0,
-         1.0,
-         1e6,
-         "px",
-         CULLSCOPE_TR("How many pixels a triangle of an occluder has at least, seen face on: smaller ones hide little."),
-         {}},
-        1.0);
-}
-
-ParameterDeclaration trianglesParameter() {
-    return {kTriangles,
-            ParameterType::Integer,
-            int64_t{8192},
-            0.0,
-            1e6,
-            "",
-            CULLSCOPE_TR("How many triangles all occluders of a frame may have together."),
-            {}};
-}
-
 }  // namespace
 
 RegisteredStrategy clusters() {
@@ -171,10 +148,8 @@ RegisteredStrategy clusters() {
          booleanParameter(kCones, true,
                           CULLSCOPE_TR("Whether clusters whose triangles all face away are left out (where only "
                                        "front sides are drawn).")),
-         pixelsParameter(), trianglesParameter()}};
-    info.sweeps = {{kClusterSize, {"32", "64", "128", "256", "512"}},
-                   {kPixels, {"4", "16", "64", "256", "1024"}},
-                   {kTriangles, {"0", "512", "2048", "8192", "32768"}}};
+         occluderPixelsParameter(), occluderTrianglesParameter()}};
+    info.sweeps = {{kClusterSize, {"32", "64", "128", "256", "512"}}, occluderPixelsSweep(), occluderTrianglesSweep()};
     info.shows = {treeShow(), clusterBoxes(), clusterListing(), trianglesByTestShow()};
     return {std::move(info), std::make_shared<Clusters>()};
 }

@@ -1,7 +1,9 @@
 #include "core/visibility/occlusion/occluders.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/base/message.h"
 #include "core/visibility/eye_bounds.h"
 
 namespace cullscope::occlusion {
@@ -48,6 +50,39 @@ AskedBox askedBox(const OcclusionBuffer& buffer, EyeBox box, double margin, cons
     // An infinite box, or one of no numbers, is placed nowhere.
     asked.place = buffer.place(box, asked.growth);
     return asked;
+}
+
+Decision hidingTest(bool hidden, const char* sentence, std::initializer_list<double> operands) {
+    Decision decision;
+    decision.containment = hidden ? Containment::Outside : Containment::Straddles;
+    decision.cause = Cause::Hidden;
+    decision.sentence = sentence;
+    std::ranges::copy(operands, decision.operands.begin());
+    decision.operandCount = uint8_t(operands.size());
+    return decision;
+}
+
+Decision askedDecision(const OcclusionBuffer& buffer, const AskedBox& asked, bool hidden, const View& view) {
+    if (!asked.place || asked.place->pixels() == 0)
+        return hidingTest(
+            false,
+            CULLSCOPE_TR("Its box, grown by %1, reaches before the near plane or lies beside the picture: it counts "
+                         "as visible."),
+            {asked.growth});
+    const BoxInPicture& place = *asked.place;
+    const auto pixels = double(place.pixels());
+    const float farthest = buffer.farthestIn(place);
+    if (!(farthest > 0.0f))
+        return hidingTest(hidden,
+                          CULLSCOPE_TR("Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: one of them shows no "
+                                       "occluder, so it counts as visible."),
+                          {asked.growth, asked.nearest, pixels});
+    return hidingTest(hidden,
+                      hidden ? CULLSCOPE_TR("Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show "
+                                            "occluders, the farthest %4 ahead, which hide it.")
+                             : CULLSCOPE_TR("Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show "
+                                            "occluders, but the farthest is %4 ahead, so it counts as visible."),
+                      {asked.growth, asked.nearest, pixels, view.distanceFromDepth(farthest)});
 }
 
 }  // namespace cullscope::occlusion

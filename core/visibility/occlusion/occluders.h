@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/frame/decision.h"
 #include "core/frame/draw_list.h"
 #include "core/raster/occlusion_buffer.h"
 #include "core/scene/camera.h"
@@ -43,5 +45,9 @@ struct AskedBox {
 [[nodiscard]] AskedBox askedBox(const OcclusionBuffer& buffer, const Box3& world, const View& view);
 /// The same of a box relative to the eye; `margin`: of its plane tests.
 [[nodiscard]] AskedBox askedBox(const OcclusionBuffer& buffer, EyeBox box, double margin, const View& view);
+/// A test whether occluders hide something, without its subject.
+[[nodiscard]] Decision hidingTest(bool hidden, const char* sentence, std::initializer_list<double> operands);
+/// That of a box: the question with its answer.
+[[nodiscard]] Decision askedDecision(const OcclusionBuffer& buffer, const AskedBox& asked, bool hidden, const View& view);
 
 }  // namespace cullscope::occlusion
