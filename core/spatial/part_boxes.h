@@ -14,7 +14,7 @@ namespace cullscope {
 /// contain every vertex also as displaced by a picture's float rounding (Scene::pictureRounding).
 class PartBoxes {
 public:
-    static constexpr size_t kMost = 8;           ///< parts of an instance
+    static constexpr size_t kMost = 8;            ///< parts of an instance
     static constexpr size_t kLeastTriangles = 8;  ///< of a part; smaller meshes have none
 
     PartBoxes() = default;

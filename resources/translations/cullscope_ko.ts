@@ -6773,6 +6773,90 @@
         <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, but the farthest is %4 ahead, so it counts as visible.</source>
         <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작해 많아야 %3픽셀을 덮습니다. 모두에 가림체가 있지만 가장 먼 것이 앞쪽 %4에 있으므로 보이는 것으로 칩니다.</translation>
     </message>
+    <message>
+        <source>clusters of triangles</source>
+        <translation>삼각형 클러스터</translation>
+    </message>
+    <message>
+        <source>bounds of the clusters</source>
+        <translation>클러스터의 경계</translation>
+    </message>
+    <message>
+        <source>whole clusters of triangles of which anything is visible</source>
+        <translation>일부라도 보이는 삼각형 클러스터 전체</translation>
+    </message>
+    <message>
+        <source>clusters</source>
+        <translation>클러스터</translation>
+    </message>
+    <message>
+        <source>occluders</source>
+        <translation>가림체</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; is tested as one box, then by its clusters; it has %2 triangles.</source>
+        <translation>물체 &quot;%1&quot;은(는) 먼저 상자 하나로, 그다음 클러스터별로 검사됩니다. 삼각형은 %2개입니다.</translation>
+    </message>
+    <message>
+        <source>Boxes of clusters</source>
+        <translation>클러스터의 상자</translation>
+    </message>
+    <message>
+        <source>Boxes of cl&amp;usters</source>
+        <translation>클러스터의 상자(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the boxes of the clusters, or of groups of them that were decided together, by what became of them</source>
+        <translation>활성 뷰에 클러스터의 상자, 또는 함께 결정된 클러스터 묶음의 상자를 결과에 따라 표시합니다</translation>
+    </message>
+    <message>
+        <source>hidden by nearer ones: leave it out</source>
+        <translation>더 가까운 것에 가려짐: 제외</translation>
+    </message>
+    <message>
+        <source>else it occludes those behind it</source>
+        <translation>아니면 뒤의 것을 가림</translation>
+    </message>
+    <message>
+        <source>each object left: walk(clusters)</source>
+        <translation>남은 물체마다: 순회(클러스터)</translation>
+    </message>
+    <message>
+        <source>box hidden: leave it out</source>
+        <translation>상자가 가려짐: 제외</translation>
+    </message>
+    <message>
+        <source>Clusters of triangles</source>
+        <translation>삼각형 클러스터</translation>
+    </message>
+    <message>
+        <source>Cuts meshes into clusters of neighbouring triangles and tests these, from large groups to single ones, against the frustum, by the cones of their normals and by what lies before them: loses nothing on any mesh.</source>
+        <translation>메시를 이웃한 삼각형의 클러스터로 나누고, 큰 묶음에서 하나하나까지 절두체, 법선 원뿔, 그리고 앞에 놓인 것으로 검사합니다. 어떤 메시에서도 아무것도 잃지 않습니다.</translation>
+    </message>
+    <message>
+        <source>How it is found that clusters are hidden: large triangles of near objects are drawn on the processor.</source>
+        <translation>클러스터가 가려졌는지 알아내는 방법: 가까운 물체의 큰 삼각형을 프로세서에서 그립니다.</translation>
+    </message>
+    <message>
+        <source>it is not</source>
+        <translation>알아내지 않음</translation>
+    </message>
+    <message>
+        <source>a depth for every pixel</source>
+        <translation>픽셀마다 깊이 하나</translation>
+    </message>
+    <message>
+        <source>two depths and a mask for each 8 × 4 pixels</source>
+        <translation>8 × 4픽셀마다 깊이 둘과 마스크 하나</translation>
+    </message>
+    <message>
+        <source>Whether clusters whose triangles all face away are left out (where only front sides are drawn).</source>
+        <translation>삼각형이 모두 뒤를 향하는 클러스터를 제외할지 여부(앞면만 그릴 때).</translation>
+    </message>
+    <message>
+        <source>How many triangles a cluster has at most. An object of no more is one cluster.</source>
+        <translation>클러스터 하나의 최대 삼각형 수. 그보다 많지 않은 물체는 클러스터 하나입니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -6773,6 +6773,90 @@
         <source>Its box, grown by %1, begins %2 ahead and covers at most %3 pixels: all show occluders, but the farthest is %4 ahead, so it counts as visible.</source>
         <translation>扩大 %1 后的盒始于前方 %2 处，最多覆盖 %3 个像素：所有像素都有遮挡体，但最远的在前方 %4 处，故视为可见。</translation>
     </message>
+    <message>
+        <source>clusters of triangles</source>
+        <translation>三角形簇</translation>
+    </message>
+    <message>
+        <source>bounds of the clusters</source>
+        <translation>簇的包围体</translation>
+    </message>
+    <message>
+        <source>whole clusters of triangles of which anything is visible</source>
+        <translation>有任何部分可见的整个三角形簇</translation>
+    </message>
+    <message>
+        <source>clusters</source>
+        <translation>簇</translation>
+    </message>
+    <message>
+        <source>occluders</source>
+        <translation>遮挡体</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; is tested as one box, then by its clusters; it has %2 triangles.</source>
+        <translation>对象“%1”先作为一个盒、再按其簇检测；它有 %2 个三角形。</translation>
+    </message>
+    <message>
+        <source>Boxes of clusters</source>
+        <translation>簇的盒</translation>
+    </message>
+    <message>
+        <source>Boxes of cl&amp;usters</source>
+        <translation>簇的盒(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the boxes of the clusters, or of groups of them that were decided together, by what became of them</source>
+        <translation>在活动视图中按结果显示簇的盒，或一起判定的簇组的盒</translation>
+    </message>
+    <message>
+        <source>hidden by nearer ones: leave it out</source>
+        <translation>被更近的遮挡：略去</translation>
+    </message>
+    <message>
+        <source>else it occludes those behind it</source>
+        <translation>否则它遮挡后面的</translation>
+    </message>
+    <message>
+        <source>each object left: walk(clusters)</source>
+        <translation>余下的每个对象：遍历(簇)</translation>
+    </message>
+    <message>
+        <source>box hidden: leave it out</source>
+        <translation>盒被遮挡：略去</translation>
+    </message>
+    <message>
+        <source>Clusters of triangles</source>
+        <translation>三角形簇</translation>
+    </message>
+    <message>
+        <source>Cuts meshes into clusters of neighbouring triangles and tests these, from large groups to single ones, against the frustum, by the cones of their normals and by what lies before them: loses nothing on any mesh.</source>
+        <translation>将网格切成相邻三角形的簇，从大组到单个簇，依次以视锥体、法线锥和位于其前方的物体检测：任何网格都不丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>How it is found that clusters are hidden: large triangles of near objects are drawn on the processor.</source>
+        <translation>如何得知簇被遮挡：在处理器上绘制近处对象的大三角形。</translation>
+    </message>
+    <message>
+        <source>it is not</source>
+        <translation>不检测</translation>
+    </message>
+    <message>
+        <source>a depth for every pixel</source>
+        <translation>每个像素一个深度</translation>
+    </message>
+    <message>
+        <source>two depths and a mask for each 8 × 4 pixels</source>
+        <translation>每 8 × 4 像素两个深度和一个掩码</translation>
+    </message>
+    <message>
+        <source>Whether clusters whose triangles all face away are left out (where only front sides are drawn).</source>
+        <translation>是否略去三角形全部背向的簇（仅在只绘制正面时）。</translation>
+    </message>
+    <message>
+        <source>How many triangles a cluster has at most. An object of no more is one cluster.</source>
+        <translation>一个簇最多有多少三角形。不超过此数的对象为一个簇。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -47,7 +47,7 @@ TEST(ClustersPicture, noMeshLosesAPixel) {
                 share(Cause::OutsideFrustum), share(Cause::BackFacing), static_cast<unsigned long long>(t.missed),
                 static_cast<unsigned long long>(t.extra));
     // As with `spherical-lossless`: llvmpipe decides the facing of a flipped sliver by its batch.
-    EXPECT_LT(t.extra, 1 + t.covered / 1'000'000);
+    EXPECT_LE(t.extra, 1 + t.covered / 1'000'000);
     EXPECT_GT(t.covered, t.views * 1000);
     for (const Kind kind : {Within, Cutting, Touching, InSphere, AtCentre}) EXPECT_GT(t.coveredByKind[kind], t.views / 2);
     EXPECT_GT(share(Cause::OutsideFrustum), 10.0);

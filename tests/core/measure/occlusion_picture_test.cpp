@@ -37,7 +37,9 @@ const std::vector<Method> kConservative{{"octree-query", {}},
                                         {"occlusion-depth", {{"facing", "two-sided"}}},
                                         {"occlusion-masked", {}},
                                         {"occlusion-masked", {{"pixels", "1"}, {"facing", "two-sided"}}},
-                                        {"occlusion-masked", {{"pixels", "1"}, {"triangles", "40"}}}};
+                                        {"occlusion-masked", {{"pixels", "1"}, {"triangles", "40"}}},
+                                        {"clusters", {{"pixels", "1"}, {"size", "32"}}},
+                                        {"clusters", {{"occlusion", "depth"}, {"pixels", "1"}, {"facing", "two-sided"}}}};
 
 struct Tally {
     uint64_t views = 0, covered = 0, hidden = 0, different = 0;
@@ -219,7 +221,7 @@ TEST(OcclusionPicture, case24TurningExposesAStripWhereAnswersAreLateAndNoneWhere
         meshes.push_back(boxMesh({-1, -2 + 0.6f * float(i), -8}, {9 + float(i), -1.7f + 0.6f * float(i), -7}));
     const ScenePointer scene = sceneOf(std::move(meshes));
     uint64_t covered = 0;
-    for (const char* id : {"octree-query", "occlusion-depth", "occlusion-masked"}) {
+    for (const char* id : {"octree-query", "occlusion-depth", "occlusion-masked", "clusters"}) {
         covered = 0;
         EXPECT_EQ(missedByTurning(scene, id, {}, covered), 0u) << id;
         EXPECT_GT(covered, 20'000u);

@@ -43,7 +43,8 @@ TEST(Clusters, causeOfALeftOutClusterIsTrueOfItsTriangles) {
         Random random(m + 1);
         const Mat4 place = m % 2 == 0 ? scaling({-1, 1, 1}) : rotation({1, 2, 3}, 1.0) * scaling({1, 1, 0.4});
         const ScenePointer scene = sceneOf({meshes[m]}, {place});
-        const CullerPointer strategy = clustersOf(*scene, {{"facing", "front"}, {"size", m < 2 ? "64" : "128"}});
+        const CullerPointer strategy =
+            clustersOf(*scene, {{"facing", "front"}, {"size", m < 2 ? "64" : "128"}, {"occlusion", "none"}});
         for (int i = 0; i < 12; ++i) {
             const View view = around(*scene, random);
             const Culled frame = strategy->cull(view, Recording::On);
@@ -136,12 +137,12 @@ TEST(Clusters, instancesOfAMeshShareItsClusters) {
 TEST(Clusters, hierarchyIsNotOpenedWhereNothingIsDecided) {
     // A mesh of many clusters, wholly in view from all sides: one node; partly in view: far fewer nodes than clusters.
     const ScenePointer scene = sceneOf({starMesh(9, 100'000)});
-    const CullerPointer strategy = clustersOf(*scene, {{"facing", "two-sided"}});
+    const CullerPointer strategy = clustersOf(*scene, {{"facing", "two-sided"}, {"occlusion", "none"}});
     const auto visited = [&](const Vec3& target) {
         return strategy->cull(View({{0, 0, 8}, target, {0, 1, 0}, Angle::fromDegrees(30), 0.1, 100}, {300, 300})).nodesVisited;
     };
     EXPECT_LE(visited({0, 0, 0}), 3u);
-    EXPECT_LT(visited({2.2, 0, 0}), 300u);
+    EXPECT_LT(visited({2.2, 0, 0}), 400u);  // half of the clusters
     EXPECT_GT(visited({2.2, 0, 0}), 20u);
 }
 
