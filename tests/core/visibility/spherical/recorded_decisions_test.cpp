@@ -249,8 +249,7 @@ TEST(RecordedDecisions, judgedCellsAreTheEndsThatTheStreamSays) {
 
 TEST(RecordedDecisions, objectsOfASceneWithManyHaveTheSameBandsAsOneAlone) {
     std::vector<Mat4> places;
-    for (size_t i = 0; i <= kMostWithTests; ++i)
-        places.push_back(translation({3.0 * double(i % 9), 3.0 * double(i / 9), 0}));
+    for (size_t i = 0; i <= kMostWithTests; ++i) places.push_back(translation({3.0 * double(i % 9), 3.0 * double(i / 9), 0}));
     const ScenePointer many = copiesOf(starMesh(7, 2'000), places), alone = copiesOf(starMesh(7, 2'000), {places.front()});
     const View view({{12.0, 12.0, 40.0}, {12.0, 12.0, 0.0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, {160, 120});
     for (const char* id : {"spherical", "spherical-horizon"}) {

@@ -94,8 +94,7 @@ TEST(RecordedTests, resultOfAWalkIsTheLastThatWasSaidOfItsCells) {
 
 TEST(RecordedTests, cellsOfManyObjectsHaveResultsAlone) {
     std::vector<Mat4> places;
-    for (size_t i = 0; i <= kMostWithTests; ++i)
-        places.push_back(translation({3.0 * double(i % 9), 3.0 * double(i / 9), 0}));
+    for (size_t i = 0; i <= kMostWithTests; ++i) places.push_back(translation({3.0 * double(i % 9), 3.0 * double(i / 9), 0}));
     const std::vector<MeshPointer> meshes(places.size(), starMesh(7, 2'000));
     const ScenePointer scene = sceneOf(meshes, places);
     const View view({{12.0, 12.0, 40.0}, {12.0, 12.0, 0.0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, {160, 120});
