@@ -14,7 +14,7 @@ namespace cullscope::occlusion {
 namespace {
 
 constexpr const char* kOccluders = "occluders";
-constexpr float kOccluderWidth = 1.5f;  // units
+constexpr float kOccluderWidth = 1.0f;  // units
 
 /// The lines of the listing (bufferListing).
 enum class BufferLine : uint8_t { Visit = 1, Frustum, Outside, Ask, Hidden, Parts, Object, Occlude, AskAgain, Draw };
@@ -85,7 +85,8 @@ public:
     /// The edges of the triangles that were drawn into the buffer.
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view /*id*/, const OverlayContext& context,
                                                     const Structure& structure, const FrameLog& log) const override {
-        OverlayLines edges{{}, {kOccluderWidth, false}, true};
+        // Hidden by what lies before them: from the culling eye occluders are in front, and thousands of edges would cover all.
+        OverlayLines edges{{}, {kOccluderWidth, true}};
         for (const Decision& decision : log.decisions)
             if (decision.line == uint8_t(BufferLine::Occlude))
                 addEdges(edges, own(structure), decision.subject.number, size_t(decision.operands[0]), context.contrast);

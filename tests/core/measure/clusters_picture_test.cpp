@@ -46,7 +46,8 @@ TEST(ClustersPicture, noMeshLosesAPixel) {
                 static_cast<unsigned long long>(t.views), static_cast<unsigned long long>(t.covered),
                 share(Cause::OutsideFrustum), share(Cause::BackFacing), static_cast<unsigned long long>(t.missed),
                 static_cast<unsigned long long>(t.extra));
-    // As with `spherical-lossless`: llvmpipe decides the facing of a flipped sliver by its batch.
+    // As with `spherical-lossless`: llvmpipe decides the facing of a flipped sliver by its batch. Each extra pixel was explained
+    // above; at one in a million, one may fall into any small sample.
     EXPECT_LE(t.extra, 1 + t.covered / 1'000'000);
     EXPECT_GT(t.covered, t.views * 1000);
     for (const Kind kind : {Within, Cutting, Touching, InSphere, AtCentre}) EXPECT_GT(t.coveredByKind[kind], t.views / 2);
