@@ -16,15 +16,13 @@ using namespace spherical;
 constexpr float kThin = 1.0f, kRay = 1.5f, kStrong = 2.5f;
 constexpr double kEntryRadius = 3.5, kHitRadius = 4.0, kMissRadius = 4.5;
 
-constexpr double kRaised = 0.003;    ///< share of the way to the eye by which lines stand before the surface
-constexpr double kStep = kPi / 360;  ///< of lines on the surface, radians
+constexpr double kMarkRaised = 0.01;  ///< the same of marks, which are flat and the surface is not
+constexpr double kStep = kPi / 360;   ///< of lines on the surface, radians
 constexpr int kStepsADash = 4;
 /// Between two steps on one surface R changes by less than this share of the sphere's radius.
 constexpr double kJump = 0.06;
 constexpr float kPale = 0.6f;  ///< share of the background's colour in what a surface hides
 constexpr Vec3f kRegionRed(0.86f, 0.08f, 0.08f);
-
-Vec3 raised(const OverlayContext& context, const Vec3& place) { return glm::mix(place, context.viewing.eye(), kRaised); }
 
 /// Lines through points (θ, φ) on the outermost surface of an object.
 class OnSurface {
@@ -74,31 +72,7 @@ void addBox(OnSurface& surface, const CellBox& box, const SphericalGrid& grid, c
 
 }  // namespace
 
-std::vector<OverlayLines> contoursOnSurface(const OverlayContext& context, const MapSnapshot& map) {
-    const ContourBands& bands = *map.decision.bands;
-    const MapPlace place(context.scene, map);
-    OverlayLines contours{{}, {kThin, true}, true}, middle{{}, {kStrong, true}, true};
-    for (uint32_t triangle = 0; triangle < map.maps.mesh().triangleCount(); ++triangle) {
-        const std::array<Vec3, 3> corners = map.maps->corners(triangle);
-        std::array<double, 3> alpha{};
-        for (size_t i = 0; i < 3; ++i) alpha[i] = bands.anglesOf(corners[i]).x;
-        const auto [least, most] = std::ranges::minmax(alpha);
-        for (auto band = uint32_t(std::ceil(least / bands.width)); band * bands.width < most; ++band) {
-            const double level = band * bands.width;
-            std::vector<Vec3> ends;
-            for (size_t i = 0; i < 3; ++i) {
-                const size_t next = (i + 1) % 3;
-                if ((alpha[i] < level) == (alpha[next] < level)) continue;
-                const double share = (level - alpha[i]) / (alpha[next] - alpha[i]);
-                ends.push_back(raised(context, place.world(glm::mix(corners[i], corners[next], share))));
-            }
-            if (ends.size() != 2) continue;
-            const bool right = std::abs(level - kRightAngle) < 1e-9;
-            (right ? middle : contours).lines.push_back({ends[0], ends[1], context.contrast});
-        }
-    }
-    return {std::move(contours), std::move(middle)};
-}
+Vec3 raised(const OverlayContext& context, const Vec3& place) { return glm::mix(place, context.viewing.eye(), kRaised); }
 
 std::vector<OverlayLines> searchOnSurface(const OverlayContext& context, const MapSnapshot& map) {
     const MapPlace place(context.scene, map);
@@ -112,7 +86,9 @@ std::vector<OverlayLines> searchOnSurface(const OverlayContext& context, const M
         surface.add(region.outline.back(), region.outline.front(), kRegionRed, true, outline.lines);
 
     OverlayLines behind{{}, {kRay, false}}, rays{{}, {kRay, true}}, marks{{}, {2.0f, false}, true};
+    OverlayLines hidden{{}, {2.0f, false}, true}, hits{{}, {2.0f, true}, true};
     const Vec3f pale = glm::mix(context.contrast, context.style.background, kPale);
+    const Vec3f paleRed = glm::mix(kRegionRed, context.style.background, kPale);
     for (const CornerRay& ray : map.decision.rays) {
         if (!ray.followed) continue;
         const Vec3 from = place.world(map.decision.eye), to = place.world(ray.point);
@@ -121,45 +97,18 @@ std::vector<OverlayLines> searchOnSurface(const OverlayContext& context, const M
         if (ray.span)
             addMark(marks.lines, context, place.world(ray.ray.at(ray.span->from)), kEntryRadius, MarkShape::Ring,
                     context.contrast);
-        if (ray.hit)
-            addMark(marks.lines, context, to, kHitRadius, MarkShape::Dot, kRegionRed);
-        else
+        if (ray.hit) {
+            // Pale where a surface hides it from the viewing camera.
+            addMark(hidden.lines, context, to, kHitRadius, MarkShape::Dot, paleRed);
+            addMark(hits.lines, context, glm::mix(to, context.viewing.eye(), kMarkRaised), kHitRadius, MarkShape::Dot,
+                    kRegionRed);
+        } else {
             addMark(marks.lines, context, to, kMissRadius, MarkShape::Cross, context.contrast);
+        }
     }
     addMark(marks.lines, context, place.world(map.decision.eye), kHitRadius, MarkShape::Dot, context.contrast);
-    return {std::move(boxes), std::move(outline), std::move(behind), std::move(rays), std::move(marks)};
-}
-
-OverlayLines rimOf(const OverlayContext& context, const FrameLog& log) {
-    struct Edge {
-        uint32_t instance = 0, low = 0, high = 0;
-
-        auto operator<=>(const Edge&) const = default;
-    };
-    std::vector<Edge> edges;
-    const DrawList drawn = drawnTriangles(context.scene, log);
-    for (const DrawRange& range : drawn.ranges) {
-        const uint32_t mesh = context.scene.instances()[range.instance].mesh;
-        const std::span<const uint32_t> ordered = drawn.orderOf(mesh).indices;
-        const std::span<const uint32_t> indices = ordered.empty() ? context.scene.meshes()[mesh]->indices() : ordered;
-        for (uint32_t first = range.firstIndex; first < range.firstIndex + range.indexCount; first += 3)
-            for (uint32_t i = 0; i < 3; ++i) {
-                const uint32_t a = indices[first + i], b = indices[first + (i + 1) % 3];
-                edges.push_back({range.instance, std::min(a, b), std::max(a, b)});
-            }
-    }
-    std::ranges::sort(edges);
-    OverlayLines rim{{}, {kRay, true}};
-    for (size_t i = 0; i < edges.size(); ++i) {
-        if ((i > 0 && edges[i - 1] == edges[i]) || (i + 1 < edges.size() && edges[i + 1] == edges[i])) continue;
-        const Instance& instance = context.scene.instances()[edges[i].instance];
-        const TriangleMesh& mesh = *context.scene.meshes()[instance.mesh];
-        const auto at = [&](uint32_t vertex) {
-            return raised(context, Vec3(instance.worldFromMesh * Vec4(mesh.origin() + Vec3(mesh.positions()[vertex]), 1.0)));
-        };
-        rim.lines.push_back({at(edges[i].low), at(edges[i].high), context.contrast});
-    }
-    return rim;
+    return {std::move(boxes), std::move(outline), std::move(behind), std::move(rays),
+            std::move(marks), std::move(hidden),  std::move(hits)};
 }
 
 OverlayLines greatCircles(const OverlayContext& context, const MapSnapshot& map) {

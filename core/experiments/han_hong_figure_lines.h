@@ -7,15 +7,13 @@
 /// Lines over the pictures of the figures of Han & Hong 2008 that the strategy's own overlays do not have.
 namespace cullscope::han_hong {
 
-/// Where the bands of an object meet its surface: the lines of equal α on its triangles, wider at 90°. The map must have bands.
-[[nodiscard]] std::vector<OverlayLines> contoursOnSurface(const OverlayContext& context, const spherical::MapSnapshot& map);
+/// Share of the way to the eye by which lines on a surface stand before it, and a place moved so.
+inline constexpr double kRaised = 0.003;
+[[nodiscard]] Vec3 raised(const OverlayContext& context, const Vec3& place);
 
 /// The search of Figure 3: corner rays, pale where a surface hides them, with their entries and hits; and the visible region and
 /// its boxes, which are angles, on the outermost surface of the object in these directions. The map must have a region.
 [[nodiscard]] std::vector<OverlayLines> searchOnSurface(const OverlayContext& context, const spherical::MapSnapshot& map);
-
-/// The rim of what a frame draws: the edges of which only one triangle is drawn.
-[[nodiscard]] OverlayLines rimOf(const OverlayContext& context, const FrameLog& log);
 
 /// The bounding sphere of an object as three great circles.
 [[nodiscard]] OverlayLines greatCircles(const OverlayContext& context, const spherical::MapSnapshot& map);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/experiments/han_hong_figure_data.h"
+#include "core/experiments/han_hong_figure_lines.h"
 #include "core/experiments/han_hong_rows.h"
 #include "core/gpu/colour.h"
 #include "core/gpu/gpu_frame.h"
@@ -120,6 +121,39 @@ Camera FigurePage::beside(const View& culling, double turn, double rise, double 
     return camera;
 }
 
+View FigurePage::fitted(Camera camera, const std::vector<Vec3>& places, const Viewport& size) const {
+    constexpr double kRoom = 1.05;
+    constexpr int kTurns = 4;  // turned towards the middle, a camera sees it a little elsewhere
+    camera.fovy = Angle::fromDegrees(60.0);
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const Frustum frustum = View(camera, size).frustum();
+        Vec2 low(1e9), high(-1e9);
+        for (const Vec3& place : places) {
+            const Vec3 to = place - camera.eye;
+            const Vec2 at = Vec2(glm::dot(to, frustum.right), glm::dot(to, frustum.up)) / glm::dot(to, frustum.forward);
+            low = glm::min(low, at);
+            high = glm::max(high, at);
+        }
+        const Vec2 middle = 0.5 * (low + high), half = 0.5 * kRoom * (high - low);
+        camera.target = camera.eye + glm::length(camera.target - camera.eye) *
+                                         glm::normalize(frustum.forward + middle.x * frustum.right + middle.y * frustum.up);
+        camera.fovy = Angle::fromRadians(2.0 * std::atan(std::max(half.y, half.x * size.height / size.width)));
+    }
+    fitDepthRange(camera, scene());
+    return {camera, size};
+}
+
+std::vector<Vec3> FigurePage::wholeSphere(const Camera& camera) const {
+    const Sphere& sphere = scene().boundingSphere();
+    const Frustum frustum = View(camera, {1, 1}).frustum();
+    std::vector<Vec3> places;
+    for (const double side : {-1.0, 1.0}) {
+        places.push_back(sphere.centre + side * sphere.radius * frustum.right);
+        places.push_back(sphere.centre + side * sphere.radius * frustum.up);
+    }
+    return places;
+}
+
 void FigurePage::requireBands(const FrameLog& log) const {
     if (const std::optional<Message> why = m_strategy->whyNotShown("bands", {}, log)) throwUsage(why->text, why->arguments);
 }
@@ -175,6 +209,34 @@ void FigurePage::addWords(const Words& words) {
 
 void FigurePage::addPicture(const Viewport& size, std::vector<uint8_t> rgba, double left) {
     m_page.pictures.push_back({{left, m_bottom}, size, std::move(rgba)});
+}
+
+void FigurePage::addLabel(const View& viewing, const Vec3& place, const Vec2& aside, const std::string& words) {
+    const std::optional<PlotPoint> at = placeIn(viewing, place);
+    if (!at) return;
+    const PagePicture& picture = m_page.pictures.back();
+    const double left = at->x + aside.x - m_look.style.width(words) / 2;
+    addPlate({picture.corner.x + left, picture.corner.y + at->y + aside.y}, words);
+}
+
+void FigurePage::addPlate(const PlotPoint& from, const std::string& words) {
+    constexpr double kAround = 2.0;
+    constexpr PlotColour kGround = 0xC8FFFFFF;
+    const PagePicture& picture = m_page.pictures.back();
+    const PlotStyle& style = m_look.style;
+    const double wide = style.width(words);
+    const auto within = [](double at, double least, double room) { return std::clamp(at, least, least + std::max(room, 0.0)); };
+    const double left = within(from.x, picture.corner.x, picture.size.width - wide);
+    const double top = within(from.y - style.height / 2, picture.corner.y, picture.size.height - style.height);
+    const double right = left + wide + kAround, bottom = top + style.height;
+    m_page.drawing.items.emplace_back(
+        DrawnPath{{{left - kAround, top}, {right, top}, {right, bottom}, {left - kAround, bottom}}, {}, kGround});
+    m_page.text({left, top + style.ascent}, words, style.text, TextAnchor::Start, true);
+}
+
+Figure FigurePage::finish() {
+    m_page.height = m_bottom + kMargin;
+    return {std::move(m_page), std::move(m_data)};
 }
 
 void FigurePage::addLegendBelow(const std::vector<PageLegendEntry>& entries, double pictureHeight) {

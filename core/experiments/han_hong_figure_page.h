@@ -3,8 +3,10 @@
 #include <functional>
 
 #include "core/experiments/han_hong_figures.h"
+#include "core/frame/cell_map.h"
 #include "core/gpu/renderer.h"
 #include "core/image/view_picture.h"
+#include "core/visibility/overlay.h"
 #include "core/visibility/spherical/decision.h"
 
 namespace cullscope::han_hong {
@@ -38,6 +40,10 @@ protected:
     /// A camera beside a culling view, turned about the scene's middle by degrees to the side and up; `distance` in radii,
     /// `towardsEye`: how far its target lies from the middle towards the culling eye, as a share of that distance.
     [[nodiscard]] Camera beside(const View& culling, double turn, double rise, double distance, double towardsEye = 0.0) const;
+    /// The same camera, turned and with the lens with which these places fill a picture; they must lie before its eye.
+    [[nodiscard]] View fitted(Camera camera, const std::vector<Vec3>& places, const Viewport& size) const;
+    /// The outermost places of the scene's bounding sphere that a camera sees: to the left, to the right, above and below.
+    [[nodiscard]] std::vector<Vec3> wholeSphere(const Camera& camera) const;
     /// Throws Error(Usage) where no object of the frame has contour bands.
     void requireBands(const FrameLog& log) const;
 
@@ -52,6 +58,12 @@ protected:
     /// Adds a line of words, such as the case, and goes on below it.
     void addWords(const Words& words);
     void addPicture(const Viewport& size, std::vector<uint8_t> rgba, double left = kMargin);
+    /// Words around a place in the newest picture; `aside`: from there, pixels.
+    void addLabel(const View& viewing, const Vec3& place, const Vec2& aside, const std::string& words);
+    /// Words on a pale ground that begin at a point of the page and are centred along y, as far as they stay in the newest
+    /// picture.
+    void addPlate(const PlotPoint& from, const std::string& words);
+    [[nodiscard]] Figure finish();
     void addLegendBelow(const std::vector<PageLegendEntry>& entries, double pictureHeight);
     /// `truth`: states of the triangles, by which the cells are coloured in place of what was decided about them.
     void addMap(const FrameLog& log, const char* colouring, const TriangleStates* truth = nullptr);

@@ -26,10 +26,17 @@ struct FlowArrow {
     Way way = Way::Straight;
 };
 
+/// Rows of a chart that happen at one time, from a row to that of the next part.
+struct FlowPart {
+    size_t row = 0;
+    std::string words;  ///< when; marked for translation
+};
+
 /// A strategy as a flow chart whose boxes are linked with the lines of its listing (frame/listing.h): plain data.
 struct FlowChart {
     std::vector<FlowBox> boxes;
     std::vector<FlowArrow> arrows;
+    std::vector<FlowPart> parts{};  ///< by ascending row
 
     [[nodiscard]] bool empty() const { return boxes.empty(); }
 };

@@ -63,7 +63,7 @@ PageSign signOf(MapSymbol symbol, const Vec3f& background) {
     const PlotColour contrast = plotColour(contrastTo(background));
     switch (symbol) {
         case MapSymbol::Region:
-            return {PageSign::Shape::Dashed, kRegionRed, 2.0};
+            return {PageSign::Shape::Region, kRegionRed, 2.0};
         case MapSymbol::Hit:
             return {PageSign::Shape::Dot, kRegionRed};
         case MapSymbol::Miss:
@@ -75,7 +75,7 @@ PageSign signOf(MapSymbol symbol, const Vec3f& background) {
         case MapSymbol::Part:
         case MapSymbol::Picked:
         case MapSymbol::Cells:
-            return {PageSign::Shape::Frame, contrast, 1.0};
+            return {PageSign::Shape::Frame, contrast, symbol == MapSymbol::Box ? 2.0 : 1.0};
         case MapSymbol::RightAngle:
             return {PageSign::Shape::Line, contrast, 2.0};
         case MapSymbol::Circle:

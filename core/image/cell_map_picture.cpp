@@ -125,15 +125,20 @@ void CellMapPainter::box(const SphericalGrid::Box& box, const Canvas::Pen& pen) 
     const SphericalGrid& grid = m_map.grid;
     const double top = grid.thetaOf(box.firstRow), bottom = grid.thetaOf(box.lastRow + 1);
     const double left = grid.phiOf(box.firstColumn), right = grid.phiOf(box.lastColumn + 1);
-    const std::array corners{place({top, left}), place({top, right}), place({bottom, right}), place({bottom, left}),
-                             place({top, left})};
+    std::array corners{place({top, left}), place({top, right}), place({bottom, right}), place({bottom, left}),
+                       place({top, left})};
+    // A border that is the map's, too, stands within it, where it can be told from the map's frame.
+    const double inside = pen.width / 2 + kMapCasing * unit();
+    for (Vec2& corner : corners)
+        corner = glm::clamp(corner, Vec2(m_area.left + inside, m_area.top + inside),
+                            Vec2(m_area.right - inside, m_area.bottom - inside));
     m_canvas.line(corners, {m_style.background, pen.width + 2.0 * kMapCasing * unit()});
     m_canvas.line(corners, pen);
 }
 
 void CellMapPainter::paintBoxes() {
     m_canvas.clipTo(m_area);
-    for (const SphericalGrid::Box& each : m_map.boxes) box(each, {m_contrast, kThin * unit()});
+    for (const SphericalGrid::Box& each : m_map.boxes) box(each, {m_contrast, kStrong * unit()});
 }
 
 /// Shades what regions enclose: what a line encloses that is closed, or what lies between a line around the axis and its pole.

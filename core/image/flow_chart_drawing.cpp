@@ -8,6 +8,7 @@ namespace {
 constexpr double kMargin = 6.0, kPadding = 8.0;
 constexpr double kGapShare = 0.14;  ///< of a column, between two boxes
 constexpr double kRowGap = 26.0;    ///< between two rows, for arrows and their words
+constexpr double kPartGap = 8.0;    ///< besides, around the words of a part that begins there
 constexpr double kHead = 7.0;       ///< of an arrow
 constexpr double kSlope = 16.0;     ///< by how much a question's sides stand out
 constexpr double kLitWidth = 3.0, kWayWidth = 2.5;
@@ -16,7 +17,7 @@ class ChartDrawer {
 public:
     ChartDrawer(const FlowChart& chart, uint8_t line, double width, const PlotStyle& style, const FlowColours& colours,
                 const std::function<std::string(const std::string&)>& say, const FlowWay& way)
-        : m_chart(chart), m_line(line), m_style(style), m_colours(colours), m_say(say), m_way(way) {
+        : m_chart(chart), m_line(line), m_width(width), m_style(style), m_colours(colours), m_say(say), m_way(way) {
         double columns = 1.0;
         for (const FlowBox& box : chart.boxes) {
             columns = std::max(columns, box.column + 1.0);
@@ -26,12 +27,16 @@ public:
         m_box = m_column * (1.0 - kGapShare);
         for (const FlowBox& box : chart.boxes) m_words.push_back(linesOf(say(box.text), m_box - 2 * kPadding, style));
         m_tops.assign(m_rows + 1, kMargin);
-        for (size_t row = 0; row < m_rows; ++row) m_tops[row + 1] = m_tops[row] + heightOf(row) + kRowGap;
+        for (size_t row = 0; row < m_rows; ++row) {
+            m_tops[row] += roomAbove(row);
+            m_tops[row + 1] = m_tops[row] + heightOf(row) + kRowGap;
+        }
     }
 
     [[nodiscard]] double height() const { return m_tops.back() - kRowGap + kMargin; }
 
     [[nodiscard]] PlotDrawing draw() {
+        for (const FlowPart& part : m_chart.parts) draw(part);
         // The way lies over arrows that were not passed.
         for (const bool passed : {false, true})
             for (size_t i = 0; i < m_chart.arrows.size(); ++i)
@@ -46,6 +51,26 @@ private:
         for (size_t i = 0; i < m_chart.boxes.size(); ++i)
             if (size_t(m_chart.boxes[i].row) == row) lines = std::max(lines, m_words[i].size());
         return double(lines) * m_style.height + 2 * kPadding;
+    }
+
+    [[nodiscard]] std::vector<std::string> linesOfPart(const FlowPart& part) const {
+        return linesOf(m_say(part.words), m_box, m_style);
+    }
+    /// Above a row with which another part begins: for a line across and its words. The first part has them beside its boxes.
+    [[nodiscard]] double roomAbove(size_t row) const {
+        for (const FlowPart& part : m_chart.parts)
+            if (part.row == row && row > 0) return double(linesOfPart(part).size()) * m_style.height + kPartGap;
+        return 0.0;
+    }
+    /// A line across between two parts, and below it when its boxes happen, in the left column.
+    void draw(const FlowPart& part) {
+        const double across = m_tops[part.row] - roomAbove(part.row) - kRowGap / 2;
+        if (part.row > 0) path({{kMargin, across}, {m_width - kMargin, across}}, {m_style.grid, 1.0, PlotStroke::Dashed});
+        double baseline = (part.row > 0 ? across + kPartGap / 2 : m_tops[0]) + m_style.ascent;
+        for (const std::string& line : linesOfPart(part)) {
+            m_drawing.items.emplace_back(DrawnText{{kMargin, baseline}, line, m_style.faint, TextAnchor::Start, true});
+            baseline += m_style.height;
+        }
     }
 
     [[nodiscard]] PlotBox placeOf(const FlowBox& box) const {
@@ -141,6 +166,7 @@ private:
 
     const FlowChart& m_chart;
     uint8_t m_line;
+    double m_width;
     const PlotStyle& m_style;
     const FlowColours& m_colours;
     const std::function<std::string(const std::string&)>& m_say;

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kSign = 22.0;  ///< width, pixels
 constexpr double kBehindSign = 6.0, kBetween = 18.0;
+constexpr PlotColour kTint = 0x38000000;  ///< opacity of what a region's outline encloses
 constexpr double kDotRadius = 4.5, kArm = 4.5;
 
 void addSign(Page& page, const PageSign& sign, const PlotPoint& middle) {
@@ -22,6 +23,8 @@ void addSign(Page& page, const PageSign& sign, const PlotPoint& middle) {
             return path(frame, {sign.edge, sign.edge != 0 ? sign.width : 0.0}, sign.colour);
         case PageSign::Shape::Frame:
             return path(frame, pen);
+        case PageSign::Shape::Region:
+            return path(frame, {sign.colour, sign.width, PlotStroke::Dashed}, kTint | (sign.colour & 0xFFFFFF));
         case PageSign::Shape::Line:
             return path({{left, middle.y}, {right, middle.y}}, pen);
         case PageSign::Shape::Dashed:

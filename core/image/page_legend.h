@@ -15,7 +15,7 @@ struct PageLook {
 
 /// What a sign in a legend looks like.
 struct PageSign {
-    enum class Shape { Area, Frame, Line, Dashed, Dot, Ring, Cross, Letter };
+    enum class Shape { Area, Frame, Region, Line, Dashed, Dot, Ring, Cross, Letter };
     Shape shape = Shape::Area;
     PlotColour colour = 0;
     double width = 1.5;   ///< of lines, pixels

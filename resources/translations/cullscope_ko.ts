@@ -5258,20 +5258,8 @@
         <translation>그리지 않는 부분</translation>
     </message>
     <message>
-        <source>from the eye</source>
-        <translation>눈에서 본 모습</translation>
-    </message>
-    <message>
-        <source>from the opposite side</source>
-        <translation>반대쪽에서 본 모습</translation>
-    </message>
-    <message>
         <source>front sides of what is drawn</source>
         <translation>그린 면의 앞면</translation>
-    </message>
-    <message>
-        <source>its back sides: the hollow behind them was left out</source>
-        <translation>그 뒷면: 뒤의 빈 부분은 제외되었음</translation>
     </message>
     <message>
         <source>Flow chart of the method</source>
@@ -6278,10 +6266,6 @@
         <translation>눈</translation>
     </message>
     <message>
-        <source>corner ray, pale behind a surface</source>
-        <translation>모서리 광선, 표면 뒤에서는 옅게</translation>
-    </message>
-    <message>
         <source>visible region, on the surface</source>
         <translation>가시 영역, 표면 위</translation>
     </message>
@@ -6298,10 +6282,6 @@
         <translation>가장 큰 S: 축에서 표면까지</translation>
     </message>
     <message>
-        <source>level of the largest S: what stays below it is hidden</source>
-        <translation>가장 큰 S의 높이: 그 아래에 머무는 것은 가려짐</translation>
-    </message>
-    <message>
         <source>edges of the sector and its bands</source>
         <translation>구역과 그 띠의 경계</translation>
     </message>
@@ -6310,16 +6290,8 @@
         <translation>S가 더 크지만 더 가까운 띠 때문에 끝까지 가려짐</translation>
     </message>
     <message>
-        <source>from the side, with what was left out</source>
-        <translation>옆에서, 제외된 부분과 함께</translation>
-    </message>
-    <message>
         <source>rim of what is drawn: there the shell ends</source>
         <translation>그려진 부분의 가장자리: 여기서 껍질이 끝남</translation>
-    </message>
-    <message>
-        <source>lost pixels: %1</source>
-        <translation>잃은 픽셀: %1</translation>
     </message>
     <message>
         <source>It lost nothing in %1 views (&lt; 3/%1).</source>
@@ -6856,6 +6828,114 @@
     <message>
         <source>How many triangles a cluster has at most. An object of no more is one cluster.</source>
         <translation>클러스터 하나의 최대 삼각형 수. 그보다 많지 않은 물체는 클러스터 하나입니다.</translation>
+    </message>
+    <message>
+        <source>Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, and a little from behind.</source>
+        <translation>그림 5~8은 같은 카메라로 본 것임: 오른쪽에서 오는 시선의 옆, 조금 뒤쪽에서.</translation>
+    </message>
+    <message>
+        <source>back sides of what is drawn</source>
+        <translation>그려진 부분의 뒷면</translation>
+    </message>
+    <message>
+        <source>perpendicular axis</source>
+        <translation>수직축</translation>
+    </message>
+    <message>
+        <source>to the eye</source>
+        <translation>눈 쪽으로</translation>
+    </message>
+    <message>
+        <source>level of the largest S: beyond α = 90° what stays below it is hidden</source>
+        <translation>가장 큰 S의 높이: α = 90°를 넘어 그보다 낮은 부분은 가려짐</translation>
+    </message>
+    <message>
+        <source>R of the largest S, from the origin O</source>
+        <translation>가장 큰 S의 R, 원점 O에서</translation>
+    </message>
+    <message>
+        <source>its projection on the perpendicular axis</source>
+        <translation>수직축에 대한 그 사영</translation>
+    </message>
+    <message>
+        <source>On the object contours shorter than %1 R are left out.</source>
+        <translation>물체 위에서 %1 R보다 짧은 등고선은 생략됨.</translation>
+    </message>
+    <message>
+        <source>front: from the eye</source>
+        <translation>앞면: 눈에서</translation>
+    </message>
+    <message>
+        <source>back: from the opposite side, into the hollow shell</source>
+        <translation>뒷면: 반대쪽에서, 빈 껍질 속을 들여다봄</translation>
+    </message>
+    <message>
+        <source>from the side, as in Figures 5 to 7, with what was left out</source>
+        <translation>그림 5~7처럼 옆에서, 그리지 않은 부분과 함께</translation>
+    </message>
+    <message>
+        <source>the same cut open along the sight ray</source>
+        <translation>같은 것을 시선을 따라 잘라 연 모습</translation>
+    </message>
+    <message>
+        <source>its back sides, seen from within: the darker, the deeper in the hollow</source>
+        <translation>그 뒷면, 안쪽에서 봄: 움푹한 곳이 깊을수록 어두움</translation>
+    </message>
+    <message>
+        <source>cut through the shell</source>
+        <translation>껍질의 단면</translation>
+    </message>
+    <message>
+        <source>cut through what is not drawn</source>
+        <translation>그리지 않는 부분의 단면</translation>
+    </message>
+    <message>
+        <source>lost: %1 of the pixels that the object covers</source>
+        <translation>손실: 물체가 덮는 화소의 %1</translation>
+    </message>
+    <message>
+        <source>the way of a view of this case</source>
+        <translation>이 경우의 한 시점이 지나는 길</translation>
+    </message>
+    <message>
+        <source>the same point P in both</source>
+        <translation>두 그림의 같은 점 P</translation>
+    </message>
+    <message>
+        <source>Ray %1: its R beside that of the triangles of each cell</source>
+        <translation>광선 %1: 각 칸의 삼각형의 R과 나란히 놓은 광선의 R</translation>
+    </message>
+    <message>
+        <source>way from where it enters the sphere</source>
+        <translation>구로 들어가는 곳부터의 거리</translation>
+    </message>
+    <message>
+        <source>R of the triangles of a cell</source>
+        <translation>칸의 삼각형의 R</translation>
+    </message>
+    <message>
+        <source>of the cell in which one is hit</source>
+        <translation>삼각형이 교차되는 칸의 R</translation>
+    </message>
+    <message>
+        <source>R of the ray</source>
+        <translation>광선의 R</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>교차</translation>
+    </message>
+    <message>
+        <source>corner ray; pale is what lies behind a surface</source>
+        <translation>모서리 광선; 면 뒤의 부분은 흐림</translation>
+    </message>
+    <message>
+        <source>Once for each mesh</source>
+        <translation>메시마다 한 번</translation>
+    </message>
+    <message>
+        <source>For each object, in every frame</source>
+        <translation>매 프레임, 물체마다</translation>
     </message>
 </context>
 <context>

@@ -5258,20 +5258,8 @@
         <translation>未绘制的部分</translation>
     </message>
     <message>
-        <source>from the eye</source>
-        <translation>从视点看</translation>
-    </message>
-    <message>
-        <source>from the opposite side</source>
-        <translation>从对侧看</translation>
-    </message>
-    <message>
         <source>front sides of what is drawn</source>
         <translation>所绘表面的正面</translation>
-    </message>
-    <message>
-        <source>its back sides: the hollow behind them was left out</source>
-        <translation>其背面：后面空缺的部分已被略去</translation>
     </message>
     <message>
         <source>Flow chart of the method</source>
@@ -6278,10 +6266,6 @@
         <translation>视点</translation>
     </message>
     <message>
-        <source>corner ray, pale behind a surface</source>
-        <translation>角光线，在表面之后为浅色</translation>
-    </message>
-    <message>
         <source>visible region, on the surface</source>
         <translation>可见区域，在表面上</translation>
     </message>
@@ -6298,10 +6282,6 @@
         <translation>最大的 S：从轴到表面</translation>
     </message>
     <message>
-        <source>level of the largest S: what stays below it is hidden</source>
-        <translation>最大 S 的高度：低于它的被遮挡</translation>
-    </message>
-    <message>
         <source>edges of the sector and its bands</source>
         <translation>扇区及其环带的边界</translation>
     </message>
@@ -6310,16 +6290,8 @@
         <translation>虽然 S 更大，但因较近的环带而一直被剔除</translation>
     </message>
     <message>
-        <source>from the side, with what was left out</source>
-        <translation>从侧面看，连同被剔除的部分</translation>
-    </message>
-    <message>
         <source>rim of what is drawn: there the shell ends</source>
         <translation>所绘部分的边缘：壳到此为止</translation>
-    </message>
-    <message>
-        <source>lost pixels: %1</source>
-        <translation>丢失的像素：%1</translation>
     </message>
     <message>
         <source>It lost nothing in %1 views (&lt; 3/%1).</source>
@@ -6856,6 +6828,114 @@
     <message>
         <source>How many triangles a cluster has at most. An object of no more is one cluster.</source>
         <translation>一个簇最多有多少三角形。不超过此数的对象为一个簇。</translation>
+    </message>
+    <message>
+        <source>Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, and a little from behind.</source>
+        <translation>图 5 至图 8 用同一相机观察：在从右侧来的视线旁边，略偏后方。</translation>
+    </message>
+    <message>
+        <source>back sides of what is drawn</source>
+        <translation>所绘部分的背面</translation>
+    </message>
+    <message>
+        <source>perpendicular axis</source>
+        <translation>垂直轴</translation>
+    </message>
+    <message>
+        <source>to the eye</source>
+        <translation>朝向视点</translation>
+    </message>
+    <message>
+        <source>level of the largest S: beyond α = 90° what stays below it is hidden</source>
+        <translation>最大 S 的水平线：α 超过 90° 后低于它的部分被遮挡</translation>
+    </message>
+    <message>
+        <source>R of the largest S, from the origin O</source>
+        <translation>最大 S 的 R，自原点 O 起</translation>
+    </message>
+    <message>
+        <source>its projection on the perpendicular axis</source>
+        <translation>其在垂直轴上的投影</translation>
+    </message>
+    <message>
+        <source>On the object contours shorter than %1 R are left out.</source>
+        <translation>物体上短于 %1 R 的等高线已略去。</translation>
+    </message>
+    <message>
+        <source>front: from the eye</source>
+        <translation>正面：从视点看</translation>
+    </message>
+    <message>
+        <source>back: from the opposite side, into the hollow shell</source>
+        <translation>背面：从对面看进空壳</translation>
+    </message>
+    <message>
+        <source>from the side, as in Figures 5 to 7, with what was left out</source>
+        <translation>从侧面看（同图 5 至图 7），连同未绘制的部分</translation>
+    </message>
+    <message>
+        <source>the same cut open along the sight ray</source>
+        <translation>同上，沿视线剖开</translation>
+    </message>
+    <message>
+        <source>its back sides, seen from within: the darker, the deeper in the hollow</source>
+        <translation>其背面，从内部看：凹处越深越暗</translation>
+    </message>
+    <message>
+        <source>cut through the shell</source>
+        <translation>壳的截线</translation>
+    </message>
+    <message>
+        <source>cut through what is not drawn</source>
+        <translation>未绘制部分的截线</translation>
+    </message>
+    <message>
+        <source>lost: %1 of the pixels that the object covers</source>
+        <translation>丢失：物体所覆盖像素的 %1</translation>
+    </message>
+    <message>
+        <source>the way of a view of this case</source>
+        <translation>此情形的一个视图所走的路径</translation>
+    </message>
+    <message>
+        <source>the same point P in both</source>
+        <translation>两图中的同一点 P</translation>
+    </message>
+    <message>
+        <source>Ray %1: its R beside that of the triangles of each cell</source>
+        <translation>射线 %1：其 R 与各单元三角形的 R 对照</translation>
+    </message>
+    <message>
+        <source>way from where it enters the sphere</source>
+        <translation>自进入球处起的距离</translation>
+    </message>
+    <message>
+        <source>R of the triangles of a cell</source>
+        <translation>单元中三角形的 R</translation>
+    </message>
+    <message>
+        <source>of the cell in which one is hit</source>
+        <translation>击中三角形的单元的 R</translation>
+    </message>
+    <message>
+        <source>R of the ray</source>
+        <translation>射线的 R</translation>
+    </message>
+    <message>
+        <source>hit</source>
+        <translation>命中</translation>
+    </message>
+    <message>
+        <source>corner ray; pale is what lies behind a surface</source>
+        <translation>角点射线；在面后的部分为浅色</translation>
+    </message>
+    <message>
+        <source>Once for each mesh</source>
+        <translation>每个网格一次</translation>
+    </message>
+    <message>
+        <source>For each object, in every frame</source>
+        <translation>每帧，对每个物体</translation>
     </message>
 </context>
 <context>

@@ -64,6 +64,7 @@ FlowChart flowChart() {
                     {Bands, Draw},
                     {Boxes, Pipeline, {}, Way::Across},
                     {Draw, Pipeline, {}, Way::Across}};
+    chart.parts = {{0, CULLSCOPE_TR("Once for each mesh")}, {2, CULLSCOPE_TR("For each object, in every frame")}};
     return chart;
 }
 

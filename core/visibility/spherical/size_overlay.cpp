@@ -69,11 +69,13 @@ public:
             std::ranges::max_element(sizes, {}, [](const SizePlace& size) { return size.larger ? 0.0 : size.size; });
         if (largest == sizes.end()) return;
         addLetter(place.world(largest->foot), place.world(largest->surface));
-        // The level that hides: on from the largest S, as far as the sphere reaches.
-        const Vec3& top = largest->surface;
-        const double along = glm::dot(top, map.decision.bands->axis);
+        // The level that hides: on from the largest S, as far as the sphere reaches. By S all within 90° is drawn.
+        const Vec3& axisToEye = map.decision.bands->axis;
+        const double from = glm::dot(largest->surface, axisToEye);
+        const double along = map.decision.bands->slopes ? from : std::min(from, 0.0);
+        const Vec3 top = largest->surface - largest->foot + along * axisToEye;
         if (std::ranges::any_of(sizes, [](const SizePlace& size) { return !size.drawn; }))
-            addDashes(m_levels, place.world(top), place.world(top - (along + radius) * map.decision.bands->axis), m_colour);
+            addDashes(m_levels, place.world(top), place.world(top - (along + radius) * axisToEye), m_colour);
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {

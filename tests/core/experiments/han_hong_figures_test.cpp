@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/experiments/han_hong_band_lines.h"
 #include "core/experiments/han_hong_figure_lines.h"
 #include "core/gpu/gpu_frame.h"
 #include "core/image/drawing_svg.h"
@@ -40,6 +41,18 @@ std::vector<std::string> wordsOf(const Page& page) {
     for (const auto& item : page.drawing.items)
         if (const auto* text = std::get_if<DrawnText>(&item)) words.push_back(text->words);
     return words;
+}
+
+View wholeViewOf(const Scene& scene) { return {overviewCamera(scene, 4.0 / 3.0), {640, 480}}; }
+
+/// What the strategy of a figure finds with all of the scene in view.
+StructureSnapshot bandsOf(const ScenePointer& scene, int number) {
+    StructureStore structures;
+    const StrategyRequest request = strategyFromText(han_hong::figureStrategy(number));
+    const BuiltStrategyPointer strategy = buildStrategy(request.id, request.parameters, scene, structures);
+    GpuFrame frame(GlEnvironment::renderer(), SceneBuffers(scene, Upload::Vbo), wholeViewOf(*scene), true);
+    strategy->draw(frame, *strategy->begin());
+    return strategy->snapshot(frame.take());
 }
 
 size_t rowsOf(const ResultTable& table, const std::string& kind) {
@@ -120,14 +133,8 @@ TEST(HanHongFigures, sevenHasOneLegendForObjectAndMap) {
 
 TEST(HanHongFigures, contoursLieOnTheSurfaceAtTheEdgesOfBands) {
     const ScenePointer scene = body();
-    StructureStore structures;
-    const StrategyRequest request = strategyFromText(han_hong::figureStrategy(7));
-    const BuiltStrategyPointer strategy = buildStrategy(request.id, request.parameters, scene, structures);
-    const View view(overviewCamera(*scene, 4.0 / 3.0), {640, 480});
-    GpuFrame frame(GlEnvironment::renderer(), SceneBuffers(scene, Upload::Vbo), view, true);
-    strategy->draw(frame, *strategy->begin());
-    const FrameLog log = frame.take();
-    const StructureSnapshot snapshot = strategy->snapshot(log);
+    const View view = wholeViewOf(*scene);
+    const StructureSnapshot snapshot = bandsOf(scene, 7);
     const spherical::MapSnapshot& map = spherical::mapsOf(snapshot).front();
     const DrawStyle style;
     const OverlayContext context{*scene, view, style, verdictPalette(style.background), Vec3f(1.0f)};
@@ -144,12 +151,92 @@ TEST(HanHongFigures, contoursLieOnTheSurfaceAtTheEdgesOfBands) {
             ++lines;
         }
     EXPECT_GT(lines, 500u);
+    // Short lines are left out whole, and what is left is a part of all.
+    size_t longLines = 0;
+    for (const OverlayLines& overlay : han_hong::contoursOnSurface(context, map, 0.6)) longLines += overlay.lines.size();
+    EXPECT_GT(longLines, 0u);
+    EXPECT_LE(longLines, lines);
+    for (const OverlayLines& overlay : han_hong::contoursOnSurface(context, map, 100.0)) EXPECT_TRUE(overlay.lines.empty());
     // In the sector of Figure 6 no hidden band has an S larger than those before it, where there is such a sector.
     const uint32_t sector = han_hong::tellingSector(bands, Vec3(0, 0, 1));
     const auto larger = [&](uint32_t which) {
         return std::ranges::count_if(spherical::sizePlaces(map, which), &spherical::SizePlace::larger);
     };
     for (uint32_t other = 0; other < bands.sectors; ++other) EXPECT_LE(larger(sector), larger(other)) << other;
+}
+
+TEST(HanHongFigures, flowChartWithoutAStepHasNoStepInHand) {
+    const std::vector<std::string> words =
+        wordsOf(made(1, body(), [](han_hong::FigureRequest& request) { request.width = 1000.0; }).page);
+    EXPECT_THAT(words, Contains(testing::StartsWith("Case 2")));
+    for (const char* wanted : {"Once for each mesh", "For each object, in every frame", "the way of a view of this case"})
+        EXPECT_THAT(words, Contains(wanted));
+    EXPECT_THAT(words, testing::Not(Contains(testing::StartsWith("the step in hand"))));
+}
+
+TEST(HanHongFigures, twoHasAxesAndOnePointInBothPictures) {
+    const std::vector<std::string> words = wordsOf(made(2, body()).page);
+    for (const char* wanted : {"O", "R", "P", "x, φ = 0°", "y, φ = 90°", "z, θ = 0°"}) EXPECT_THAT(words, Contains(wanted));
+    EXPECT_THAT(words, Contains(testing::StartsWith("P: R = ")));
+}
+
+/// S² + its foot² = R², on an axis perpendicular to the sight ray, for the largest S that is not hidden for good.
+TEST(HanHongFigures, projectionOfRIsS) {
+    const ScenePointer scene = body();
+    const StructureSnapshot snapshot = bandsOf(scene, 6);
+    const spherical::MapSnapshot& map = spherical::mapsOf(snapshot).front();
+    for (uint32_t sector = 0; sector < map.decision.bands->sectors; ++sector) {
+        const std::vector<spherical::SizePlace> sizes = spherical::sizePlaces(map, sector);
+        const std::optional<han_hong::Projection> found = han_hong::projectionOf(*scene, map, sizes);
+        ASSERT_TRUE(found) << sector;
+        const Vec3 toEye = glm::normalize(found->start - found->origin), r = found->place - found->origin;
+        const Vec3 projected = found->onPerpendicular - found->origin;
+        EXPECT_NEAR(glm::dot(projected, toEye), 0.0, 1e-9) << sector;
+        EXPECT_NEAR(glm::length(projected), glm::length(r - glm::dot(r, toEye) * toEye), 1e-9) << sector;
+        for (const spherical::SizePlace& size : sizes)
+            if (!size.larger) EXPECT_LE(size.size, glm::length(projected) + 1e-9) << sector;
+    }
+    EXPECT_FALSE(han_hong::projectionOf(*scene, map, {}));
+}
+
+TEST(HanHongFigures, sixSaysWhatIsProjectedAndWhere) {
+    const std::vector<std::string> words = wordsOf(made(6, body()).page);
+    for (const char* wanted : {"O", "R", "α", "perpendicular axis", "S = R · sin α", "to the eye"})
+        EXPECT_THAT(words, Contains(wanted));
+    EXPECT_THAT(words, Contains(testing::HasSubstr("beyond α = 90°")));
+}
+
+/// A section of a sphere is a closed line: each end is that of two of its pieces.
+TEST(HanHongFigures, cutOfAClosedSurfaceIsClosed) {
+    const ScenePointer scene = body();
+    const View view = wholeViewOf(*scene);
+    const DrawStyle style;
+    const OverlayContext context{*scene, view, style, verdictPalette(style.background), Vec3f(1.0f)};
+    TriangleStates states;
+    states.states.assign(scene->triangleCount(), TriangleState::Visible);
+    for (uint64_t triangle = 0; triangle < scene->triangleCount() / 2; ++triangle)
+        states.states[triangle] = TriangleState::Hidden;
+    const Plane plane{Vec3(0.0, 0.0, 1.0), 0.0123};
+    std::map<std::array<int64_t, 3>, int> ends;
+    const std::vector<OverlayLines> cut = han_hong::cutOf(context, states, plane);
+    for (const OverlayLines& overlay : cut) {
+        EXPECT_FALSE(overlay.lines.empty()) << "drawn, and not drawn";
+        for (const LineSegment& line : overlay.lines)
+            for (const Vec3& end : {line.from, line.to}) {
+                EXPECT_NEAR(plane.distance(end), 0.0, 1e-9);
+                ++ends[{std::llround(end.x * 1e7), std::llround(end.y * 1e7), std::llround(end.z * 1e7)}];
+            }
+    }
+    for (const auto& [end, count] : ends) EXPECT_EQ(count, 2);
+}
+
+TEST(HanHongFigures, threeComparesTheRayWithItsCells) {
+    const std::vector<std::string> words = wordsOf(made(3, body()).page);
+    for (const char* wanted : {"R of the ray", "R of the triangles of a cell", "hit"}) EXPECT_THAT(words, Contains(wanted));
+}
+
+TEST(HanHongFigures, eightSaysOfWhatAShareIsLost) {
+    EXPECT_THAT(wordsOf(made(8, body()).page), Contains(testing::ContainsRegex("lost: .* of the pixels that the object covers")));
 }
 
 TEST(HanHongFigures, threeSaysTheCaseTheEyeAndTheNumbersOfTheRays) {
@@ -165,11 +252,12 @@ TEST(HanHongFigures, wordsAreThoseOfTheLanguage) {
     request.number = 3;
     request.scene = body();
     request.strategy = strategyFromText("spherical");
+    request.width = 1800.0;  // no words are broken into lines
     PageLook look;
     look.style = svgStyle();
     look.say = [](const Words& words) { return "«" + words.english() + "»"; };
     for (const std::string& words : wordsOf(han_hong::figure(request, look).page))
-        if (words.size() > 1)  // the rays' numbers are the same in every language
+        if (words.find_first_not_of("0123456789.-R ") != std::string::npos)  // numbers are the same in every language
             EXPECT_THAT(words, testing::HasSubstr("«")) << "every word is said in the language";
 }
 

@@ -1,0 +1,274 @@
+#include "core/experiments/han_hong_band_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/experiments/han_hong_band_lines.h"
+#include "core/experiments/han_hong_figure_lines.h"
+#include "core/experiments/han_hong_figure_page.h"
+#include "core/gpu/colour.h"
+#include "core/visibility/spherical/map_overlays.h"
+#include "core/visibility/spherical/map_place.h"
+#include "core/visibility/verdict_palette.h"
+
+namespace cullscope::han_hong {
+namespace {
+
+using Shape = PageSign::Shape;
+using spherical::ContourBands;
+using spherical::MapPlace;
+using spherical::MapSnapshot;
+
+constexpr double kLeastContour = 0.6;  ///< radii; in Figure 7 shorter ones, as on the tip of an ear, are left out
+constexpr double kBesideBands = 8.0;   ///< pictures beside each other, pixels
+
+class BandFigures : private FigurePage {
+public:
+    BandFigures(const FigureRequest& request, const PageLook& look, const Progress& progress)
+        : FigurePage(request, look, progress), m_culling(wholeView()), m_log(frameOf(m_culling, 1)) {
+        requireBands(m_log);
+        m_map = shownMap(m_log);
+        const Vec3 upright = scene().upAxis() == UpAxis::Z ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+        const MapPlace place(scene(), *m_map);
+        m_sector = tellingSector(bands(), glm::normalize(glm::transpose(place.linear()) * upright));
+    }
+
+    [[nodiscard]] Figure make() {
+        const std::array draw{&BandFigures::sampling, &BandFigures::sizes, &BandFigures::hidden, &BandFigures::frontAndBack};
+        (this->*draw[size_t(m_request.number - 5)])();
+        return finish();
+    }
+
+private:
+    [[nodiscard]] const ContourBands& bands() const { return *m_map->decision.bands; }
+
+    /// The one camera of Figures 5 to 8: the axis across the picture with the eye to the right, S upward; far beyond 90°, where S
+    /// decides, the surface is turned towards it.
+    [[nodiscard]] View observer(const Viewport& size) const {
+        constexpr double kAway = 4.4, kRise = 0.2, kAbove = 1.2;  // radii; share of the distance; room for an axis, radii
+        const Angle behind = Angle::fromDegrees(22.0);
+        const Mat3 world = MapPlace(scene(), *m_map).linear();
+        const Vec3 axis = glm::normalize(world * bands().axis);
+        const Vec3 outward = glm::normalize(world * bands().direction(kRightAngle, (m_sector + 0.5) * kTurn / bands().sectors));
+        const Vec3 across = std::cos(behind.radians()) * glm::cross(axis, outward) - std::sin(behind.radians()) * axis;
+        Camera camera = m_culling.camera();
+        const Sphere sphere = scene().instanceSphere(m_map->decision.instance);
+        camera.target = sphere.centre;
+        camera.eye = sphere.centre + kAway * sphere.radius * glm::normalize(across + kRise * outward);
+        camera.up = outward;
+        std::vector<Vec3> places = wholeSphere(camera);
+        places.push_back(sphere.centre + kAbove * sphere.radius * outward);
+        return fitted(camera, places, size);
+    }
+
+    void addCameraWords() {
+        m_bottom =
+            addText(m_page,
+                    say(CULLSCOPE_TR("Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, "
+                                     "and a little from behind.")),
+                    {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text) +
+            4.0;
+    }
+
+    [[nodiscard]] PageLegendEntry backSign() const {
+        return {{Shape::Area, plotColour(backColour(m_style.background))}, say(CULLSCOPE_TR("back sides of what is drawn"))};
+    }
+
+    void sampling() {
+        addCameraWords();
+        const Viewport size = pictureSize();
+        addPicture(size, drawn(m_log, observer(size), {"bands", "back-sides"}));
+        const PlotColour dark = plotColour(contrastTo(m_style.background));
+        addLegendBelow(
+            {{{Shape::Line, stateColour(TriangleState::Visible), 1.0}, say(CULLSCOPE_TR("contour of a band that is drawn"))},
+             {{Shape::Line, stateColour(TriangleState::Hidden), 1.0}, say(CULLSCOPE_TR("contour of a band that is hidden"))},
+             {{Shape::Line, dark, 2.5}, "α = 90°"},
+             {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
+             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))},
+             backSign()},
+            size.height);
+        addMap(m_log, "entries");
+    }
+
+    void sizes() {
+        addWords({CULLSCOPE_TR("S of the bands of %1 in one sector"), {Term::angle(bands().width)}});
+        addCameraWords();
+        const Viewport size = pictureSize();
+        const View viewing = observer(size);
+        const std::vector<spherical::SizePlace> sizes = spherical::sizePlaces(*m_map, m_sector);
+        const std::optional<Projection> projection = projectionOf(scene(), *m_map, sizes);
+        addPicture(size, drawn(m_log, viewing, {"ghost", "back-sides"}, [&](const OverlayContext& context) {
+                       std::vector<OverlayLines> overlays = spherical::sizeOverlay(context, {*m_map}, m_sector);
+                       if (projection) std::ranges::move(projectionLines(context, *projection), std::back_inserter(overlays));
+                       return overlays;
+                   }));
+        if (projection) addProjectionLabels(viewing, *projection);
+        addSizeSigns(sizes, size.height);
+    }
+
+    void addProjectionLabels(const View& viewing, const Projection& projection) {
+        addLabel(viewing, projection.origin, {-12.0, 12.0}, "O");
+        addLabel(viewing, 0.5 * (projection.origin + projection.place), {14.0, 4.0}, "R");
+        addLabel(viewing, projection.arc[projection.arc.size() / 3], {0.0, -12.0}, "α");
+        addLabel(viewing, projection.top, {0.0, -10.0}, say(CULLSCOPE_TR("perpendicular axis")));
+        addLabel(viewing, 0.6 * projection.onPerpendicular + 0.4 * projection.origin, {-52.0, 0.0}, "S = R · sin α");
+        addLabel(viewing, projection.start, {0.0, 16.0}, say(CULLSCOPE_TR("to the eye")));
+    }
+
+    void addSizeSigns(const std::vector<spherical::SizePlace>& sizes, double height) {
+        const PlotColour green = plotColour(spherical::sizeColour(m_style.background));
+        const PlotColour dark = plotColour(contrastTo(m_style.background));
+        std::vector<PageLegendEntry> entries{
+            {{Shape::Letter, green}, say(CULLSCOPE_TR("the largest S: from the axis to the surface"))},
+            {{Shape::Line, green, 2.0}, say(CULLSCOPE_TR("S of a band that is drawn"))},
+            {{Shape::Dashed, green, 2.0}, say(CULLSCOPE_TR("S of a band that is hidden"))},
+            {{Shape::Dashed, green, 1.0},
+             say(CULLSCOPE_TR("level of the largest S: beyond α = 90° what stays below it is hidden"))},
+            {{Shape::Line, green, 1.0}, say(CULLSCOPE_TR("edges of the sector and its bands"))},
+            {{Shape::Line, plotColour(projectionColour()), 2.0}, say(CULLSCOPE_TR("R of the largest S, from the origin O"))},
+            {{Shape::Dashed, plotColour(projectionColour()), 1.5}, say(CULLSCOPE_TR("its projection on the perpendicular axis"))},
+            {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
+            {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))},
+            {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
+            backSign()};
+        if (std::ranges::any_of(sizes, &spherical::SizePlace::larger))
+            entries.insert(entries.begin() + 3, {{Shape::Dashed, stateColour(TriangleState::WronglyCulled), 2.0},
+                                                 say(CULLSCOPE_TR("hidden for good by a nearer band, though its S is larger"))});
+        addLegendBelow(entries, height);
+    }
+
+    void hidden() {
+        addCameraWords();
+        const Viewport size = pictureSize();
+        addPicture(size, drawn(m_log, observer(size), {"verdicts"},
+                               [&](const OverlayContext& context) { return contoursOnSurface(context, *m_map, kLeastContour); }));
+        m_bottom += size.height;
+        m_bottom = addText(m_page,
+                           m_look.say({CULLSCOPE_TR("On the object contours shorter than %1 R are left out."),
+                                       {Term::name(fmt::format("{:.1f}", kLeastContour))}}),
+                           {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text);
+        const TriangleStates states = statesAgainstTruth(m_log);
+        addMap(m_log, "state", &states);
+    }
+
+    /// Four pictures: the paper's two, from the eye and from the opposite side, and below them what shows that the surface is an
+    /// open shell: from the side, and cut open.
+    void frontAndBack() {
+        const int half = int(inner() - kBesideBands) / 2;
+        const Viewport size{half, half * 3 / 4};
+        const Vec3& centre = scene().boundingSphere().centre;
+        const Camera front = m_culling.camera();
+        Camera behind = front;
+        behind.eye = 2.0 * centre - front.eye;
+        behind.target = 2.0 * centre - front.target;
+        const View eye = fitted(front, wholeSphere(front), size), opposite = fitted(behind, wholeSphere(behind), size);
+        View side = observer(size);
+
+        std::vector<uint8_t> seen = drawn(m_log, eye, {"back-sides"});
+        const double lost = markLost(m_log, eye, seen);
+        const auto rim = [&](const OverlayContext& context) { return std::vector{rimOf(context, m_log)}; };
+        std::vector<uint8_t> back = drawn(m_log, opposite, {"back-sides"}, rim);
+        darkenHollow(m_log, opposite, back);
+        std::vector<uint8_t> beside = drawn(m_log, side, {"back-sides", "ghost"}, rim);
+        darkenHollow(m_log, side, beside);
+        addPictures(size, {{std::move(seen), CULLSCOPE_TR("front: from the eye")},
+                           {std::move(back), CULLSCOPE_TR("back: from the opposite side, into the hollow shell")}});
+
+        const Plane section = sectionThroughAxis();
+        side.cutBy(section);
+        std::vector<uint8_t> open = drawnOpen(side, section);
+        darkenHollow(m_log, side, open);
+        addPictures(size, {{std::move(beside), CULLSCOPE_TR("from the side, as in Figures 5 to 7, with what was left out")},
+                           {std::move(open), CULLSCOPE_TR("the same cut open along the sight ray")}});
+        const PlotColour dark = plotColour(contrastTo(m_style.background));
+        addLegendBelow({{{Shape::Area, plotColour(m_style.surface)}, say(CULLSCOPE_TR("front sides of what is drawn"))},
+                        {{Shape::Area, plotColour(backColour(m_style.background))},
+                         say(CULLSCOPE_TR("its back sides, seen from within: the darker, the deeper in the hollow"))},
+                        {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("rim of what is drawn: there the shell ends"))},
+                        {{Shape::Line, dark, 2.5}, say(CULLSCOPE_TR("cut through the shell"))},
+                        {{Shape::Line, plotColour(paleLine(m_style)), 2.5}, say(CULLSCOPE_TR("cut through what is not drawn"))},
+                        {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
+                        {{Shape::Area, stateColour(TriangleState::WronglyCulled)},
+                         m_look.say({CULLSCOPE_TR("lost: %1 of the pixels that the object covers"), {Term::share(lost)}})}},
+                       0.0);
+    }
+
+    /// What is drawn of the object behind the section, and the section.
+    [[nodiscard]] std::vector<uint8_t> drawnOpen(const View& viewing, const Plane& section) {
+        DrawStyle style = m_style;
+        style.back = backColour(style.background);
+        Framebuffer target(viewing.viewport());
+        m_renderer.draw(m_buffers, viewing, m_log, target, style);
+        const OverlayContext context{scene(), viewing, m_style, verdictPalette(m_style.background),
+                                     contrastTo(m_style.background)};
+        for (const OverlayLines& lines : cutOf(context, statesAgainstTruth(m_log), section))
+            drawOverlay(m_renderer, viewing, lines, m_style, target);
+        return target.readColour();
+    }
+
+    struct NamedPicture {
+        std::vector<uint8_t> rgba;
+        const char* name = "";
+    };
+    /// Two pictures beside each other with their names below.
+    void addPictures(const Viewport& size, std::vector<NamedPicture> pictures) {
+        double left = kMargin, below = m_bottom;
+        for (NamedPicture& picture : pictures) {
+            addPicture(size, std::move(picture.rgba), left);
+            below = std::max(below, addText(m_page, say(picture.name), {left, m_bottom + size.height + 2.0}, size.width,
+                                            m_look.style, m_look.style.text));
+            left += size.width + kBesideBands;
+        }
+        m_bottom = below + 6.0;
+    }
+
+    /// The plane of the axis and the shown sector's middle; what lies behind it, seen by the observer, is kept.
+    [[nodiscard]] Plane sectionThroughAxis() const {
+        const MapPlace place(scene(), *m_map);
+        const Vec3 axis = place.linear() * bands().axis;
+        const Vec3 outward = place.linear() * bands().direction(kRightAngle, (m_sector + 0.5) * kTurn / bands().sectors);
+        const Vec3 normal = glm::normalize(glm::cross(outward, axis));
+        return {normal, -glm::dot(normal, place.world(Vec3(0.0)))};
+    }
+
+    /// Makes back sides the darker, the deeper they lie in the hollow, seen from where it opens: evenly lit, a hollow looks like
+    /// a body.
+    void darkenHollow(const FrameLog& log, const View& viewing, std::vector<uint8_t>& rgba) {
+        constexpr double kDarkest = 0.25;
+        const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
+        const Vec3 origin = MapPlace(scene(), *m_map).world(Vec3(0.0));
+        const Vec3 axis = glm::normalize(MapPlace(scene(), *m_map).linear() * bands().axis);
+        std::vector<double> depths(shown.triangle.size(), 0.0);
+        for (size_t pixel = 0; pixel < depths.size(); ++pixel) {
+            if (shown.triangle[pixel] == 0) continue;
+            const auto width = size_t(viewing.viewport().width);
+            const Vec3 place = viewing.pointAt(double(pixel % width) + 0.5, double(pixel / width) + 0.5,
+                                               viewing.distanceFromDepth(shown.depth[pixel]));
+            const std::array<Vec3, 3> corners = cornersInWorld(scene(), shown.triangle[pixel] - 1);
+            const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+            if (glm::dot(normal, viewing.eye() - place) < 0.0) depths[pixel] = std::max(glm::dot(place - origin, axis), 0.0);
+        }
+        const double deepest = std::ranges::max(depths);
+        for (size_t pixel = 0; pixel < depths.size() && deepest > 0.0; ++pixel) {
+            if (depths[pixel] <= 0.0) continue;
+            const double share = glm::mix(1.0, kDarkest, depths[pixel] / deepest);
+            for (size_t c = 0; c < 3; ++c) rgba[4 * pixel + c] = uint8_t(std::lround(share * rgba[4 * pixel + c]));
+        }
+    }
+
+    View m_culling;
+    FrameLog m_log;
+    std::optional<MapSnapshot> m_map;
+    uint32_t m_sector = 0;
+};
+
+}  // namespace
+
+Figure bandFigure(const FigureRequest& request, const PageLook& look, const Progress& progress) {
+    return BandFigures(request, look, progress).make();
+}
+
+}  // namespace cullscope::han_hong
