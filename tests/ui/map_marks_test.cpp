@@ -28,6 +28,28 @@ TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
     }
 }
 
+TEST(MapMarks, labelsOfCirclesDoNotOverlapAndTheRightAngleHasOne) {
+    const QFontMetricsF metrics{QFont()};
+    MapCircles circles;
+    circles.width = std::numbers::pi / 36;
+    circles.bands = 36;
+    for (const double slope : {0.0, 0.5, 1.2}) {
+        circles.axis = {std::sin(slope), 0.0, std::cos(slope)};
+        circles.side = {std::cos(slope), 0.0, -std::sin(slope)};
+        for (const double height : {60.0, 90.0, 130.0, 600.0}) {
+            const MapLayout layout({0, 0, 2 * height, height}, metrics);
+            const std::vector<CircleLabel> labels = circleLabels(layout, circles, metrics);
+            ASSERT_FALSE(labels.empty());
+            EXPECT_EQ(labels.front().degrees, 90);
+            for (size_t i = 0; i < labels.size(); ++i)
+                for (size_t j = 0; j < i; ++j)
+                    EXPECT_FALSE(labels[i].place.intersects(labels[j].place))
+                        << labels[i].degrees << "° and " << labels[j].degrees << "°, map of " << height << " pixels";
+            if (height == 600.0) EXPECT_EQ(labels.size(), 5U);
+        }
+    }
+}
+
 TEST(MapMarks, captionOfGlyphsOfAnotherFontStandsOnTheSameLine) {
     const ScenePointer scene = openScene("sphere:triangles=80").scene;
     const ShownMap shown = MadeUpMap(scene, SphericalGrid(16, 8)).shown();

@@ -13,7 +13,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kLabelStep = 30;  // degrees between labelled circles
 constexpr double kNumberDistance = 15.0;
 constexpr double kLeastWalkedSize = 2.0;
 constexpr double kLeastCellSize = 3.0;  // pixels; minimum size of a mark
@@ -37,6 +36,8 @@ QRectF placeBeside(const QPointF& place, double direction, const QString& words,
             if (const QRectF found = at(turned * kEighth, distance); free(found)) return found;
     return at(0.0, kNumberDistance);
 }
+
+QString circleWords(int degrees) { return QStringLiteral("%1°").arg(degrees); }
 
 double distanceTo(const QRectF& rect, const QPointF& point) {
     return std::hypot(point.x() - std::clamp(point.x(), rect.left(), rect.right()),
@@ -68,6 +69,23 @@ std::vector<QRectF> markNumbers(const MapLayout& layout, const std::vector<MapMa
                                       metrics, free));
     }
     return numbers;
+}
+
+std::vector<CircleLabel> circleLabels(const MapLayout& layout, const MapCircles& circles, const QFontMetricsF& metrics) {
+    constexpr double kGap = 2.0;  // pixels between two labels
+    std::vector<CircleLabel> labels;
+    // The right angle, where the paper's method changes, first; then away from it.
+    for (const int degrees : {90, 60, 120, 30, 150}) {
+        const std::vector<Vec2> line = circleOnMap(circles, degrees * std::numbers::pi / 180.0);
+        // At its highest point the curve crosses no other line, and is level like the label.
+        const Vec2 top = *std::min_element(line.begin(), line.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
+        const QPointF centre = layout.placeOf({top.x, top.y - std::floor(top.y / kTurn) * kTurn});
+        const QRectF place = labelPlace(centre, circleWords(degrees), layout.area, metrics);
+        const QRectF wanted = place.adjusted(-kGap, -kGap, kGap, kGap);
+        if (std::ranges::none_of(labels, [&](const CircleLabel& other) { return other.place.intersects(wanted); }))
+            labels.push_back({degrees, place});
+    }
+    return labels;
 }
 
 void MapOverlay::paint(const CellMap& map) const {
@@ -140,13 +158,8 @@ void MapOverlay::paintCircles(const MapCircles& circles) const {
         m_painter.drawPath(wrapped(circleOnMap(circles, band * circles.width), false));
     strokeOver(m_painter, wrapped(circleOnMap(circles, std::numbers::pi / 2), false), linePen(MapSymbol::RightAngle, m_colours),
                m_colours.ground);
-    for (int label = kLabelStep; label < 180; label += kLabelStep) {
-        const std::vector<Vec2> line = circleOnMap(circles, label * std::numbers::pi / 180.0);
-        // At its highest point the curve crosses no other line, and is level like the label.
-        const Vec2 top = *std::min_element(line.begin(), line.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
-        const QPointF place = m_layout.placeOf({top.x, top.y - std::floor(top.y / kTurn) * kTurn});
-        paintLabel(m_painter, place, QStringLiteral("%1°").arg(label), m_layout.area, m_colours);
-    }
+    for (const CircleLabel& label : circleLabels(m_layout, circles, QFontMetricsF(m_painter.font())))
+        paintLabel(m_painter, label.place, circleWords(label.degrees), m_colours);
     paintMarker(m_painter, m_layout.placeOf(mapAngles(circles.axis)), MapSymbol::Start, m_colours);
     paintMarker(m_painter, m_layout.placeOf(mapAngles(-circles.axis)), MapSymbol::End, m_colours);
 }

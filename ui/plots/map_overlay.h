@@ -46,4 +46,13 @@ private:
 [[nodiscard]] std::vector<QRectF> markNumbers(const MapLayout& layout, const std::vector<MapMark>& marks,
                                               const QFontMetricsF& metrics);
 
+/// The label of a circle about the axis.
+struct CircleLabel {
+    int degrees = 0;  ///< angle from the axis
+    QRectF place;     ///< within the map
+};
+/// Labels of every 30°, as many as fit beside each other: a small map keeps that of the right angle.
+[[nodiscard]] std::vector<CircleLabel> circleLabels(const MapLayout& layout, const MapCircles& circles,
+                                                    const QFontMetricsF& metrics);
+
 }  // namespace cullscope::ui
