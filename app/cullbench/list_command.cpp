@@ -125,7 +125,7 @@ void printScenes() {
     say("Scenes: a mesh file (");
     for (const std::string& extension : readableMeshExtensions())
         say("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
-    say("), polygons (.{}), a plant (.{}) or a generator\n", kPolygonExtension, kRvmExtension);
+    say("), polygons (.{}), a plant (.{}), each also compressed (.gz, .xz), or a generator\n", kPolygonExtension, kRvmExtension);
     for (const GeneratorInfo& generator : listedScenes()) {
         say("  {:<12} {}\n", generator.id, generator.description);
         for (const GeneratorParameter& parameter : generator.parameters)

@@ -5,10 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/base/memory_limit.h"
 
 namespace cullscope {
 namespace {
@@ -18,7 +20,7 @@ constexpr size_t kBlock = size_t{256} << 10;
 
 }  // namespace
 
-ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash)
+ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash, uint64_t memoryLimit)
     : m_name(path.string()), m_progress(progress) {
     // O_NONBLOCK: opening a pipe that no process writes to would otherwise block forever.
     m_file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -33,8 +35,27 @@ ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progre
         throwInput(CULLSCOPE_TR("%1 is not a regular file. Save the mesh in a file and name that."), {m_name});
     }
     m_size = static_cast<uint64_t>(status.st_size);
-    m_buffer.resize(nextBlock());
+    try {
+        unpackIfPacked(memoryLimit > 0 ? memoryLimit : memoryToPlanWith());
+        m_buffer.resize(nextBlock());
+    } catch (...) {
+        close(m_file);
+        throw;
+    }
     if (hash) m_hash.emplace();
+}
+
+void ByteSource::unpackIfPacked(uint64_t memoryLimit) {
+    std::array<char, 6> start{};
+    const ssize_t got = pread(m_file, start.data(), start.size(), 0);
+    const Packing packing = packingOf({start.data(), static_cast<size_t>(std::max<ssize_t>(got, 0))});
+    if (packing == Packing::None) return;
+    constexpr double kUnpackingShare = 0.4;
+    m_size = unpackedSize(m_file, m_name, packing, m_size, memoryLimit, m_progress.part(0.0, kUnpackingShare));
+    m_progress = m_progress.part(kUnpackingShare, 1.0);
+    if (m_size == 0) throwInput(CULLSCOPE_TR("%1 is empty. Fetch or export the file again."), {m_name});
+    lseek(m_file, 0, SEEK_SET);
+    m_unpacker = std::make_unique<Unpacker>(m_file, m_name, packing, memoryLimit, m_progress);
 }
 
 ByteSource::~ByteSource() { close(m_file); }
@@ -55,17 +76,13 @@ bool ByteSource::refill(size_t wanted) {
     // The buffer grows with what has been read, never by more than a file of that many bytes needs.
     const size_t block = nextBlock();
     if (m_buffer.size() < std::min(wanted, m_end + block) || m_end == m_buffer.size()) m_buffer.resize(m_end + block);
-    ssize_t got = 0;
-    do {
-        got = read(m_file, m_buffer.data() + m_end, std::min(kBlock, m_buffer.size() - m_end));
-    } while (got < 0 && errno == EINTR);
-    if (got < 0)
-        throwInput(CULLSCOPE_TR("%1 cannot be read after byte %2: %3. Copy the file again."),
-                   {m_name, std::to_string(m_readBytes), systemReason(errno)});
+    char* const to = m_buffer.data() + m_end;
+    const size_t most = std::min(kBlock, m_buffer.size() - m_end);
+    const size_t got = m_unpacker ? m_unpacker->read(to, most) : readBlock(m_file, m_name, m_readBytes, to, most);
     m_atEnd = got == 0;
-    if (m_hash && got > 0) m_hash->addValues(std::span<const char>(m_buffer.data() + m_end, static_cast<size_t>(got)));
-    m_end += static_cast<size_t>(got);
-    m_readBytes += static_cast<size_t>(got);
+    if (m_hash && got > 0) m_hash->addValues(std::span<const char>(to, got));
+    m_end += got;
+    m_readBytes += got;
     if (m_tells && got > 0)
         m_progress.tell(std::min(1.0, static_cast<double>(m_readBytes) / static_cast<double>(m_size)),
                         CULLSCOPE_TR("Reading the file"));

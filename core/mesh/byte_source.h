@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,19 +10,23 @@
 
 #include "core/base/progress.h"
 #include "core/base/sha256.h"
+#include "core/mesh/unpacker.h"
 
 namespace cullscope {
 
 /// A file read once from front to back through one buffer. Counts bytes and lines for error messages, reports progress, checks
-/// for a stop request before every block, and hashes the bytes read.
+/// for a stop request before every block, and hashes the bytes read. Of a file that is compressed with gzip or xz these are the
+/// bytes of its content: size, positions and hash are those of the unpacked file. It is unpacked twice, first to check it and to
+/// know its size, so that no content is kept in memory or on disk.
 class ByteSource {
 public:
     /// The longest line of a text file that is accepted: a polygon of a million corners, yet short enough to be parsed between
     /// two checks for a stop request.
     static constexpr size_t kLongestLine = size_t{8} << 20;
 
-    /// Opens a regular, non-empty file. Throws Error(Input) for any other.
-    ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash);
+    /// Opens a regular, non-empty file. Throws Error(Input) for any other, and for a compressed one that is damaged or unpacks to
+    /// more than `memoryLimit` bytes (0: memoryToPlanWith).
+    ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash, uint64_t memoryLimit = 0);
     ~ByteSource();
     ByteSource(const ByteSource&) = delete;
     ByteSource& operator=(const ByteSource&) = delete;
@@ -51,11 +56,13 @@ private:
     /// The bytes to read at once: a block, or of a small file what is left of it and one more, which finds its end.
     [[nodiscard]] size_t nextBlock() const;
     bool refill(size_t wanted);
+    void unpackIfPacked(uint64_t memoryLimit);
     void decideLineEnd();
 
     std::string m_name;
     Progress m_progress;
     int m_file = -1;
+    std::unique_ptr<Unpacker> m_unpacker;  ///< null where the file is not compressed
     uint64_t m_size = 0;
     uint64_t m_readBytes = 0;
     uint64_t m_lineNumber = 0;

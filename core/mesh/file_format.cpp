@@ -18,12 +18,9 @@ std::string extensionOf(const std::filesystem::path& path) {
     return extension;
 }
 
-void refuseWrapped(const std::string& extension, std::string_view start, const std::string& name) {
-    if (extension == "xz" || start.starts_with("\xFD"
-                                               "7zXZ"))
-        throwInput(CULLSCOPE_TR("%1 is compressed with xz. Unpack it first: xz -dk \"%1\"."), {name});
-    if (extension == "gz" || start.starts_with("\x1F\x8B"))
-        throwInput(CULLSCOPE_TR("%1 is compressed with gzip. Unpack it first: gzip -dk \"%1\"."), {name});
+void refuseWrapped(std::string_view start, const std::string& name) {
+    if (packingOf(start) != Packing::None)
+        throwInput(CULLSCOPE_TR("%1 is compressed twice. Unpack it once: xz -dk \"%1\" or gzip -dk \"%1\"."), {name});
     if (start.starts_with("PK\x03\x04") || start.starts_with("BZh") || start.starts_with("\x28\xB5\x2F\xFD"))
         throwInput(CULLSCOPE_TR("%1 is an archive or compressed. Unpack it first."), {name});
     if (start.starts_with("version https://git-lfs"))
@@ -78,10 +75,10 @@ void skipByteOrderMark(ByteSource& source) {
 }
 
 MeshFormat formatOf(const std::filesystem::path& path, ByteSource& source) {
-    const std::string extension = extensionOf(path);
+    const std::string extension = extensionOf(withoutPacking(path));
     if (!hasSizeOfBinaryStl(source)) skipByteOrderMark(source);
     const std::string_view start = source.peek(1024).substr(0, 1024);
-    refuseWrapped(extension, start, source.name());
+    refuseWrapped(start, source.name());
     if (isUtf16(start)) throwInput(CULLSCOPE_TR("%1 is UTF-16 text. Save it as UTF-8 or ASCII."), {source.name()});
     if (beginsPly(start)) return MeshFormat::Ply;
     if (beginsOff(start)) return MeshFormat::Off;

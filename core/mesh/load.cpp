@@ -28,10 +28,10 @@ void read(MeshFormat format, ReadJob& job) {
 }
 
 LoadedFile loadFrom(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
-    ByteSource source(path, progress.part(0.0, kReadingShare), options.hash);
+    ByteSource source(path, progress.part(0.0, kReadingShare), options.hash, options.memoryLimitBytes);
     const MeshFormat format = formatOf(path, source);
     MeshAssembler assembler(source.name(), options, progress.part(kReadingShare, 1.0));
-    ReadJob job{source, assembler, progress, path.stem().string()};
+    ReadJob job{source, assembler, progress, withoutPacking(path).stem().string()};
     read(format, job);
     LoadedFile file;
     file.objects = assembler.finish();

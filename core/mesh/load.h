@@ -41,21 +41,22 @@ struct LoadedObject {
 struct LoadedFile {
     std::vector<LoadedObject> objects;
     LoadReport report;
-    std::string sha256;  ///< of the file's bytes, lower-case hexadecimal
+    std::string sha256;  ///< of the file's bytes, as unpacked, lower-case hexadecimal
 };
 
 struct LoadOptions {
     /// 0: three quarters of the machine's memory or of `ulimit -v`. A file that needs more is refused before anything is
-    /// allocated for it.
+    /// allocated for it, and so is a compressed one whose content is larger.
     size_t memoryLimitBytes = 0;
     bool hash = true;  ///< compute `sha256`
 };
 
 /// Reads OBJ, PLY (ASCII, binary, triangle strips), STL (ASCII, binary), OFF or OM; the format follows from the content where
-/// that is unambiguous, else from the extension. Coordinates are kept as floats about a double origin among most of an object's
-/// vertices; triangles that this rounding changes by more than a tenth of their longest side are counted. Throws Error(Input)
-/// with one sentence that names file and line or byte, the defect and what to do; Error(Interrupted) within 100 ms of a stop
-/// request. Never allocates memory by a count that the file states but may not contain.
+/// that is unambiguous, else from the extension. A file compressed with gzip or xz is unpacked while it is
+/// read. Coordinates are kept as floats about a double origin among most of an object's vertices; triangles that this rounding
+/// changes by more than a tenth of their longest side are counted. Throws Error(Input) with one sentence that names file and line
+/// or byte, the defect and what to do; Error(Interrupted) within 100 ms of a stop request. Never allocates memory by a count that
+/// the file states but may not contain.
 [[nodiscard]] LoadedFile loadMeshFile(const std::filesystem::path& path, const LoadOptions& options = {},
                                       const Progress& progress = {});
 

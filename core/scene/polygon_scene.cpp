@@ -162,13 +162,13 @@ private:
 }  // namespace
 
 bool isPolygonFile(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
+    std::string extension = withoutPacking(path).extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     return extension == std::string(".") + kPolygonExtension;
 }
 
 PolygonScene readPolygonFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
-    ByteSource source(path, progress, false);
+    ByteSource source(path, progress, false, options.memoryLimitBytes);
     skipByteOrderMark(source);
     PolygonReader reader(source.name(), options, progress);
     for (std::string_view line; source.line(line);) reader.line(source.lineNumber(), line);

@@ -510,12 +510,28 @@
         <translation>%1 파일 %2행이 %3 MB보다 깁니다. 텍스트 형식의 메시 파일인지 확인하세요.</translation>
     </message>
     <message>
-        <source>%1 is compressed with xz. Unpack it first: xz -dk &quot;%1&quot;.</source>
-        <translation>%1 파일은 xz로 압축되어 있습니다. 먼저 푸세요: xz -dk &quot;%1&quot;.</translation>
+        <source>%1 is compressed twice. Unpack it once: xz -dk &quot;%1&quot; or gzip -dk &quot;%1&quot;.</source>
+        <translation>%1 파일은 두 번 압축되어 있습니다. 한 번 푸세요: xz -dk &quot;%1&quot; 또는 gzip -dk &quot;%1&quot;.</translation>
     </message>
     <message>
-        <source>%1 is compressed with gzip. Unpack it first: gzip -dk &quot;%1&quot;.</source>
-        <translation>%1 파일은 gzip으로 압축되어 있습니다. 먼저 푸세요: gzip -dk &quot;%1&quot;.</translation>
+        <source>%1 unpacks to more than the %2 MB that may be used on this machine. Simplify the mesh or split the file.</source>
+        <translation>%1 파일을 풀면 이 컴퓨터에서 쓸 수 있는 %2 MB보다 커집니다. 메시를 단순화하거나 파일을 나누세요.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the compressed data are damaged. Fetch the file again.</source>
+        <translation>%1 파일 바이트 %2: 압축된 데이터가 손상되었습니다. 파일을 다시 받으세요.</translation>
+    </message>
+    <message>
+        <source>%1 ends at byte %2, within its compressed data. The file was cut off: fetch it again.</source>
+        <translation>%1 파일이 압축된 데이터 안의 바이트 %2에서 끝납니다. 파일이 잘렸습니다: 다시 받으세요.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: unpacking the file takes more memory than may be used on this machine. Compress it anew by a lower level, such as xz -6.</source>
+        <translation>%1 파일 바이트 %2: 파일을 푸는 데 이 컴퓨터에서 쓸 수 있는 것보다 많은 메모리가 필요합니다. xz -6처럼 더 낮은 수준으로 다시 압축하세요.</translation>
+    </message>
+    <message>
+        <source>Unpacking the file</source>
+        <translation>파일 푸는 중</translation>
     </message>
     <message>
         <source>%1 is an archive or compressed. Unpack it first.</source>

@@ -510,12 +510,28 @@
         <translation>%1 第 %2 行超过 %3 MB。请确认该文件是文本格式的网格。</translation>
     </message>
     <message>
-        <source>%1 is compressed with xz. Unpack it first: xz -dk &quot;%1&quot;.</source>
-        <translation>%1 经 xz 压缩。请先解压：xz -dk &quot;%1&quot;。</translation>
+        <source>%1 is compressed twice. Unpack it once: xz -dk &quot;%1&quot; or gzip -dk &quot;%1&quot;.</source>
+        <translation>%1 被压缩了两次。请先解压一次：xz -dk &quot;%1&quot; 或 gzip -dk &quot;%1&quot;。</translation>
     </message>
     <message>
-        <source>%1 is compressed with gzip. Unpack it first: gzip -dk &quot;%1&quot;.</source>
-        <translation>%1 经 gzip 压缩。请先解压：gzip -dk &quot;%1&quot;。</translation>
+        <source>%1 unpacks to more than the %2 MB that may be used on this machine. Simplify the mesh or split the file.</source>
+        <translation>%1 解压后超过本机可用的 %2 MB。请简化网格或拆分文件。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the compressed data are damaged. Fetch the file again.</source>
+        <translation>%1，字节 %2：压缩数据已损坏。请重新获取文件。</translation>
+    </message>
+    <message>
+        <source>%1 ends at byte %2, within its compressed data. The file was cut off: fetch it again.</source>
+        <translation>%1 在压缩数据中的字节 %2 处结束。文件被截断：请重新获取。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: unpacking the file takes more memory than may be used on this machine. Compress it anew by a lower level, such as xz -6.</source>
+        <translation>%1，字节 %2：解压该文件所需内存超过本机可用的量。请用较低级别重新压缩，例如 xz -6。</translation>
+    </message>
+    <message>
+        <source>Unpacking the file</source>
+        <translation>正在解压文件</translation>
     </message>
     <message>
         <source>%1 is an archive or compressed. Unpack it first.</source>

@@ -16,6 +16,7 @@ const std::vector<Target>& targets() {
                                               {"octree", octree},
                                               {"off", off},
                                               {"om", om},
+                                              {"packed", packed},
                                               {"picture_metadata", picture_metadata},
                                               {"ply", ply},
                                               {"polygons", polygons},

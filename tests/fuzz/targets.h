@@ -23,6 +23,7 @@ void lesson(std::string_view input);
 void obj(std::string_view input);
 void off(std::string_view input);
 void om(std::string_view input);
+void packed(std::string_view input);            ///< gzip and xz
 void picture_metadata(std::string_view input);  ///< the first byte says which format
 void ply(std::string_view input);
 void polygons(std::string_view input);

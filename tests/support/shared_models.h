@@ -7,8 +7,8 @@
 
 namespace cullscope::test {
 
-/// A scene of ../shared/models/scenes, unpacked where its name ends with ".xz"; none where it is not there: these models are
-/// other people's and not part of this repository. Fails the test where it cannot be unpacked.
+/// A scene of ../shared/models/scenes; none where it is not there: these models are other people's and not part of this
+/// repository.
 [[nodiscard]] std::optional<ScenePointer> sharedScene(const std::string& name);
 
 }  // namespace cullscope::test

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QInputDialog>
 
+#include "core/mesh/unpacker.h"
 #include "core/scene/scene_files.h"
 #include "ui/session/session_file.h"
 
@@ -71,6 +72,8 @@ QString DocumentCommands::fileTypes() {
     for (const std::string& extension : readableSceneExtensions()) {
         names << QString::fromStdString(extension);
         patterns << pattern(names.back());
+        for (const std::string& packed : packedExtensions())
+            patterns << pattern(names.back() + QLatin1Char('.') + QString::fromStdString(packed));
     }
     QStringList pictures;
     for (const QString& extension : SessionOpener::pictureExtensions()) pictures << pattern(extension);

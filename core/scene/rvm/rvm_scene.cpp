@@ -217,13 +217,13 @@ private:
 }  // namespace rvm
 
 bool isRvmFile(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
+    std::string extension = withoutPacking(path).extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     return extension == std::string(".") + kRvmExtension;
 }
 
 RvmScene readRvmFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress, double chordError) {
-    ByteSource source(path, progress, false);
+    ByteSource source(path, progress, false, options.memoryLimitBytes);
     rvm::SceneBuilder builder(source.name(), options, progress, chordError);
     rvm::readRecords(source, {[&](std::string name) { builder.beginGroup(std::move(name)); }, [&] { builder.endGroup(); },
                               [&](rvm::Record&& record) { builder.add(std::move(record)); }});

@@ -12,7 +12,6 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/mesh_files.h"
-#include "tests/support/process.h"
 #include "tests/support/random_views.h"
 #include "tests/support/rvm_bytes.h"
 
@@ -108,12 +107,8 @@ TEST(RvmOfAPlatform, showsWhatAnObjOfTheSameFileShows) {
     if (!std::filesystem::exists(kPlant) || !std::filesystem::exists(kPackedObj))
         GTEST_SKIP() << "The plant " << kPlant << " and its OBJ are other people's and not part of this repository; "
                      << "the case above writes files of the same kinds.";
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cullscope-huldra.obj";
-    const ProcessResult unpacked =
-        runProcess({"/bin/sh", "-c", "xz -dc '" + kPackedObj.string() + "' > '" + file.string() + "'"});
-    ASSERT_EQ(unpacked.exitStatus, 0) << "xz is in packaging/packages.txt: " << unpacked.err;
-    const SceneBuffers plant(openScene(kPlant.string()).scene, Upload::Vbo), obj(openScene(file.string()).scene, Upload::Vbo);
-    std::filesystem::remove(file);
+    const SceneBuffers plant(openScene(kPlant.string()).scene, Upload::Vbo);
+    const SceneBuffers obj(openScene(kPackedObj.string()).scene, Upload::Vbo);
     ASSERT_EQ(plant.scene().instances().size(), obj.scene().instances().size());
     EXPECT_EQ(obj.scene().upAxis(), UpAxis::Z) << "guessed of the OBJ, as the RVM file says";
     for (int axis = 0; axis < 3; ++axis) {

@@ -4,7 +4,9 @@
 #include <fstream>
 
 #include "core/scene/camera_path.h"
+#include "tests/support/packed_bytes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/rvm_bytes.h"
 
 namespace cullscope::scene_source_test {
 namespace {
@@ -33,6 +35,26 @@ private:
     }
     std::filesystem::path m_path;
 };
+
+TEST(PackedScene, polygonsAndPlantsAreReadAsTheirContentIs) {
+    const TemporaryFolder folder;
+    const auto opened = [&](const std::string& name, const std::string& bytes) {
+        std::ofstream(folder.path() / name, std::ios::binary) << bytes;
+        return openScene((folder.path() / name).string());
+    };
+    const std::string polygons = "polygon A 0 0 0 1 0 0 0 1 0\nplane P1 1 0 0 -2\n", plant = test::rvmSample();
+    for (const auto& [name, bytes] : {std::pair<std::string, std::string>{"a.polygons", polygons}, {"a.rvm", plant}}) {
+        const ScenePointer plain = opened(name, bytes).scene;
+        for (const auto& [packing, packed] :
+             {std::pair<std::string, std::string>{".gz", test::gzipped(bytes)}, {".xz", test::xzPacked(bytes)}}) {
+            const OpenedScene read = opened(name + packing, packed);
+            EXPECT_EQ(read.scene->name(), name + packing);
+            EXPECT_EQ(read.scene->sha256(), plain->sha256());
+            EXPECT_EQ(read.scene->planes().size(), plain->planes().size());
+            EXPECT_EQ(read.scene->instances().front().name, plain->instances().front().name);
+        }
+    }
+}
 
 TEST(SceneEstimate, ofEveryGeneratorIsNearWhatItMakes) {
     for (const char* specification :
