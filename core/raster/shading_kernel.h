@@ -165,6 +165,26 @@ private:
     uint32_t m_count = 0;
 };
 
+/// Asks for the vertices of the triangles that a block shows before any of them is needed: they lie apart in memory, and a
+/// processor that waits for one after the other spends most of its time so.
+inline void fetchAhead(const Shading& shading, ShownTriangles& shown) {
+    const uint32_t* indices[1 + kShadedColumns * kShadedRows];
+    for (uint32_t i = 1; i <= shown.count(); ++i) {
+        const uint32_t triangle = shown.items()[i] - 1;
+        const ShadedInstance& instance = instanceOf(shading, triangle);
+        indices[i] = instance.indices + 3 * size_t(triangle - instance.firstTriangle);
+        __builtin_prefetch(indices[i]);
+    }
+    for (uint32_t i = 1; i <= shown.count(); ++i) {
+        const ShadedInstance& instance = instanceOf(shading, shown.items()[i] - 1);
+        for (size_t corner = 0; corner < 3; ++corner) {
+            const size_t first = 3 * size_t(indices[i][corner]);
+            __builtin_prefetch(instance.positions + first);
+            __builtin_prefetch(instance.normal + first);
+        }
+    }
+}
+
 /// The colours of eight pixels by their directions and normals.
 template <typename Lanes>
 inline void shadeEight(const Shading& shading, const Floats (&direction)[3], const Floats (&normal)[3], Numbers& rgba) {
@@ -242,6 +262,7 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
     Normals normals[1 + kShadedColumns * kShadedRows + 3];
     normals[0] = Normals{};
     for (uint32_t i = 0; i < 3; ++i) shown.items()[shown.count() + 1 + i] = shown.items()[1];
+    fetchAhead(shading, shown);
     for (uint32_t i = 1; i <= shown.count(); i += 4) setUpNormals(shading, shown.items() + i, normals + i);
 
     const auto along = [&shading](int axis, double across, double upward) {
@@ -271,6 +292,15 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
         uint32_t* rgba = block.rgba + size_t(row) * block.rgbaInRow;
         int32_t run = 0;
         for (int32_t from = 0; from < block.columns; from += 8) {
+            Numbers item{};
+            if (from + 8 <= block.columns) {
+                load(item, items + from);
+                if (Lanes::bitsOf(item != 0u) == 0) {
+                    store<Numbers>(rgba + from, Numbers{} + shading.background);
+                    run += __builtin_popcount(uint32_t(begins[row] >> from & 0xff));
+                    continue;
+                }
+            }
             int32_t runs[8];
             for (int32_t i = 0; i < 8; ++i) runs[i] = run += int32_t(begins[row] >> (from + i) & 1);
             Floats rows[4], normal[3], direction[3];
@@ -288,8 +318,6 @@ void shadeBlock(const Shading& shading, const ShadedBlock& block) {
             Numbers colours;
             shadeEight<Lanes>(shading, direction, normal, colours);
             if (from + 8 <= block.columns) {
-                Numbers item;
-                load(item, items + from);
                 store<Numbers>(rgba + from, item == 0u ? Numbers{} + shading.background : colours);
             } else {
                 for (int32_t i = 0; from + i < block.columns; ++i)
