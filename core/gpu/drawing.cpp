@@ -45,6 +45,9 @@ DrawingState::~DrawingState() {
     glBindBuffer(GL_ARRAY_BUFFER, 0);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
     glDisable(GL_SCISSOR_TEST);
+    // Drawing that a stop request ended may have left these.
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glLineWidth(1.0f);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_CLIP_DISTANCE0);

@@ -38,6 +38,7 @@ class BoxQueries;
 struct TriangleInput {
     unsigned vertexArray = 0;
     bool gathers = false;  ///< many small ranges are drawn as one: on a software OpenGL
+    std::stop_token stop;  ///< ends what is drawn between two objects (Renderer::Stoppable)
 };
 
 /// The programs of scene triangles, with one vertex shader.
@@ -53,7 +54,7 @@ struct Renderer::Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    [[nodiscard]] TriangleInput input() const { return {vertexArray, software}; }
+    [[nodiscard]] TriangleInput input() const { return {vertexArray, software, stop}; }
     /// Those for the pictures of a view: they cut where it is a section. Compiled when the first one is drawn.
     [[nodiscard]] ScenePrograms& of(const View& view);
 
@@ -63,6 +64,7 @@ struct Renderer::Programs {
     std::map<std::string, Program> choices;  ///< by the body of `chosen`
     unsigned vertexArray = 0;                ///< of scene triangles
     bool software = false;                   ///< the context's OpenGL is one (GlInfo::software)
+    std::stop_token stop;                    ///< that of the innermost Stoppable
     unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
     std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
 };

@@ -41,10 +41,35 @@ void requireNumbers(const Scene& scene) {
                    {std::to_string(scene.triangleCount())});
 }
 
+/// The numbers of triangles in an order of their own are bound while it lives, also where a stop request ends what is drawn.
+struct OrderNumbers {
+    OrderNumbers() = default;
+    ~OrderNumbers() {
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, 0);
+        glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    }
+    OrderNumbers(const OrderNumbers&) = delete;
+    OrderNumbers& operator=(const OrderNumbers&) = delete;
+};
+
+/// So is the image into which the shader writes items.
+struct ItemImage {
+    explicit ItemImage(const ItemTarget& target) {
+        glBindImageTexture(0, target.items(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+    }
+    ~ItemImage() {
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
+    }
+    ItemImage(const ItemImage&) = delete;
+    ItemImage& operator=(const ItemImage&) = delete;
+};
+
 /// Submits one draw call for each range, with the triangles' numbers as the item shader needs them.
-void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
+void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& input) {
     const Scene& scene = buffers.scene();
-    submit(buffers, view, list, vertexArray, true, [&](const SubmittedRun& run) {
+    const OrderNumbers numbers;
+    submit(buffers, view, list, input, true, [&](const SubmittedRun& run) {
         const uint32_t mesh = scene.instances()[run.ranges.front().instance].mesh;
         const bool ordered = !list.orderOf(mesh).triangles.empty();
         if (ordered) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, buffers.orderNumbers(list.order, mesh));
@@ -56,8 +81,6 @@ void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& 
             glDrawElements(GL_TRIANGLES, run.counts[i], run.indexType, run.addresses[i]);
         }
     });
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, 0);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
 /// A depth pass, then the lowest number at each depth, within the current drawing state.
@@ -71,10 +94,10 @@ void drawItems(unsigned depthProgram, unsigned itemProgram, const TriangleInput&
     glDepthFunc(GL_EQUAL);
     glDepthMask(GL_FALSE);
     glUseProgram(itemProgram);
-    glBindImageTexture(0, target.items(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-    submitItems(buffers, view, list, input.vertexArray);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
+    {
+        const ItemImage image(target);
+        submitItems(buffers, view, list, input);
+    }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
@@ -96,7 +119,7 @@ void writeItems(const FinishedPicture& picture, const ItemTarget& target) {
 }
 
 /// Replays a frame's commands into a target, each with its own depth rule.
-void replayItems(unsigned program, unsigned vertexArray, const SceneBuffers& buffers, const View& view, const FrameLog& log,
+void replayItems(unsigned program, const TriangleInput& by, const SceneBuffers& buffers, const View& view, const FrameLog& log,
                  const ItemTarget& target, const std::optional<PictureTile>& scissor) {
     target.drawInOrder();
     const auto limit = [&] {
@@ -110,13 +133,13 @@ void replayItems(unsigned program, unsigned vertexArray, const SceneBuffers& buf
             const DrawingState state(view, target.depth(), list->facing, list->depth);
             limit();
             glUseProgram(program);
-            submitItems(buffers, view, *list, vertexArray);
+            submitItems(buffers, view, *list, by);
         }
         if (const auto* own = std::get_if<OwnTrianglesPointer>(&command)) {
             const DrawingState state(view, target.depth(), (*own)->facing, (*own)->depth);
             limit();
             glUseProgram(program);
-            const OwnInput input(**own, vertexArray);
+            const OwnInput input(**own, by.vertexArray);
             glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, input.numbers());
             glUniform1ui(kFirstTriangle, 0);
             input.draw(buffers.scene(), view,
@@ -167,7 +190,7 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
         return drawItemBuffer(buffers, view, drawnTriangles(buffers.scene(), log), tile);
     requireNumbers(buffers.scene());
     const ItemTarget target(tile);
-    replayItems(m_programs->of(view).itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target, std::nullopt);
+    replayItems(m_programs->of(view).itemOrdered.id(), m_programs->input(), buffers, view, log, target, std::nullopt);
     return read(target);
 }
 
@@ -192,7 +215,7 @@ std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const 
     if (x < 0 || y < 0 || x >= size.width || y >= size.height) return std::nullopt;
     requireNumbers(buffers.scene());
     const ItemTarget target({0, 0, size});
-    replayItems(m_programs->of(view).itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target,
+    replayItems(m_programs->of(view).itemOrdered.id(), m_programs->input(), buffers, view, log, target,
                 PictureTile{x, y, {1, 1}});
     return readPixel(target, x, y);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
+#include <utility>
 
 #include "core/gpu/box_queries.h"
 #include "core/gpu/context.h"
@@ -70,6 +71,10 @@ Renderer::Programs::~Programs() {
     glDeleteVertexArrays(1, &lineArray);
     boxQueries->close();
 }
+
+Renderer::Stoppable::Stoppable(Renderer& renderer, std::stop_token stop)
+    : m_renderer(renderer), m_before(std::exchange(renderer.m_programs->stop, std::move(stop))) {}
+Renderer::Stoppable::~Stoppable() { m_renderer.m_programs->stop = std::move(m_before); }
 
 Renderer::Renderer() : m_programs(std::make_unique<Programs>()) {}
 Renderer::~Renderer() = default;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <stop_token>
 
 #include "core/frame/frame_context.h"
 #include "core/gpu/framebuffer.h"
@@ -80,6 +81,20 @@ public:
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
+
+    /// While it lives, a renderer looks for a stop request before each object that it draws, in pictures and item buffers: then
+    /// it throws Error(Interrupted). What was drawn so far stays in the target. OpenGL's state is as after every call.
+    class Stoppable {
+    public:
+        Stoppable(Renderer& renderer, std::stop_token stop);
+        ~Stoppable();
+        Stoppable(const Stoppable&) = delete;
+        Stoppable& operator=(const Stoppable&) = delete;
+
+    private:
+        Renderer& m_renderer;
+        std::stop_token m_before;  ///< of the one within which it lives
+    };
 
     /// Clears `target` and draws the list as seen by `view`, whose viewport must be the target's size or contain its tile.
     void draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,

@@ -114,7 +114,7 @@ void Renderer::drawByState(const SceneBuffers& buffers, const View& view, Facing
         glUniform1ui(kWantedLook, static_cast<GLuint>(look));
         glUniform2fv(kHatch, 1, glm::value_ptr(hatch));
         glUniform3f(kHatchPlace, float(target.tile().x), float(target.tile().y), style.unit);
-        submitNumbered(buffers, view, lists[size_t(look)], m_programs->vertexArray);
+        submitNumbered(buffers, view, lists[size_t(look)], m_programs->input());
     };
     clearTo(style);
     drawLook(Look::Filled);

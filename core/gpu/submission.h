@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "core/base/error.h"
 #include "core/gpu/drawing.h"
 
 namespace cullscope {
@@ -23,15 +24,17 @@ inline bool isWhole(std::span<const DrawRange> run, const DrawList& list, const 
 }
 
 /// Goes through a list: binds each instance and calls `perInstance(run)` for each run of ranges of one instance. `numbered`:
-/// triangles are identified by their place, so their order must be kept.
+/// triangles are identified by their place, so their order must be kept. Throws Error(Interrupted) before an instance where a
+/// stop is requested.
 template <typename PerInstance>
-void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray, bool numbered,
+void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& by, bool numbered,
             const PerInstance& perInstance) {
     using Indices = VertexInput::Indices;
-    VertexInput input(buffers, vertexArray, list.order, list.facing);
+    VertexInput input(buffers, by.vertexArray, list.order, list.facing);
     std::vector<GLsizei> counts;
     std::vector<const void*> addresses;
     for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {
+        if (by.stop.stop_requested()) throwInterrupted();
         const uint32_t number = list.ranges[begin].instance;
         while (end < list.ranges.size() && list.ranges[end].instance == number) ++end;
         const std::span<const DrawRange> ranges = std::span(list.ranges).subspan(begin, end - begin);
@@ -57,7 +60,7 @@ void drawGathered(const SceneBuffers& buffers, const DrawList& list, const Submi
 /// Draws a list with one call for each run: a multi-draw, or a draw of the gathered ranges.
 inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& input) {
     const bool mayGather = input.gathers && buffers.upload() == Upload::Vbo;
-    submit(buffers, view, list, input.vertexArray, false, [&](const SubmittedRun& run) {
+    submit(buffers, view, list, input, false, [&](const SubmittedRun& run) {
         if (run.counts.size() == 1)
             glDrawElements(GL_TRIANGLES, run.counts[0], run.indexType, run.addresses[0]);
         else if (mayGather && worthGathering(run))
@@ -70,9 +73,9 @@ inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawL
 
 /// Draws a list in the meshes' own order with one call for each range; the uniform kFirstTriangle holds the number of its first
 /// triangle, because gl_PrimitiveID starts at 0 in each call.
-inline void submitNumbered(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
+inline void submitNumbered(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& input) {
     assert(list.order == nullptr);
-    submit(buffers, view, list, vertexArray, true, [&](const SubmittedRun& run) {
+    submit(buffers, view, list, input, true, [&](const SubmittedRun& run) {
         for (size_t i = 0; i < run.ranges.size(); ++i) {
             const uint64_t first = buffers.scene().firstTriangle(run.ranges[i].instance) + run.ranges[i].firstIndex / 3;
             glUniform1ui(kFirstTriangle, static_cast<GLuint>(first));

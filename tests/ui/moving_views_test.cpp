@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QMouseEvent>
+#include <future>
 
 #include "core/scene/camera_moves.h"
 #include "tests/ui/eight_views.h"
@@ -107,6 +108,41 @@ TEST_F(Moving, anObserverIsCoarseTooAndShowsWhatIsLeftOut) {
     };
     EXPECT_GT(pixels(*coarse, TriangleState::Visible), 50u);
     EXPECT_GT(pixels(*coarse, TriangleState::OutsideFrustum), 50u);
+}
+
+TEST_F(Moving, aWholePictureUnderWayEndsWhereTheHandMovesAndIsDrawnAfterwards) {
+    openLarge();
+    session.setViewCount(2);
+    settle();
+    ViewPicture slow;
+    slow.milliseconds = 1000.0;
+    for (const int view : session.shownViews()) session.moving()->made(view, slow);
+    // The GPU thread waits, so that whole pictures are still to be drawn when the hand moves.
+    std::promise<void> released;
+    session.gpu()->post([waits = released.get_future().share()] { waits.wait(); }, Urgency::Picture);
+    DrawStyle style = session.drawStyle();
+    style.background.x += 0.1f;
+    session.setDrawStyle(style);
+    QApplication::processEvents();
+    ASSERT_TRUE(session.pictures()->busy());
+    std::vector<bool> coarse;
+    const auto seen = QObject::connect(&session, &Session::pictureChanged,
+                                       [&](int view) { coarse.push_back(session.picture(view)->request.coarse != nullptr); });
+    session.moveViewingCamera(0, turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), {}));
+    QApplication::processEvents();
+    released.set_value();
+    ASSERT_TRUE(waitUntil([&] {
+        session.moving()->move();
+        return !coarse.empty();
+    }));
+    EXPECT_TRUE(coarse.front()) << "a whole picture was in the way of the one that follows the hand";
+    settle();
+    ASSERT_TRUE(waitUntil([&] { return picture(0).pictureIsCurrent() && picture(1).pictureIsCurrent(); }));
+    QObject::disconnect(seen);
+    for (const int view : session.shownViews()) {
+        EXPECT_FALSE(session.picture(view)->request.coarse) << view;
+        EXPECT_EQ(session.picture(view)->request.style, style) << view;
+    }
 }
 
 TEST_F(Moving, whatTheProgramMovesIsWhole) {

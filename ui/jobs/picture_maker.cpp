@@ -40,6 +40,7 @@ PictureMaker::PictureMaker(GpuThread& gpu, int views, ViewFramesPointer frames, 
 }
 
 PictureMaker::~PictureMaker() {
+    m_stopOfDrawing.request_stop();
     m_jobs.cancel();
     m_picks.cancel();
     // What lives on the GPU thread ends there.
@@ -47,6 +48,7 @@ PictureMaker::~PictureMaker() {
 }
 
 void PictureMaker::forget() {
+    m_stopOfDrawing.request_stop();
     m_jobs.cancel();
     for (ViewState& state : m_views) {
         state.picture = nullptr;
@@ -74,7 +76,14 @@ bool PictureMaker::busy() const {
 
 void PictureMaker::update(int first) {
     m_first = first;
+    endOvertaken();
     schedule();
+}
+
+void PictureMaker::endOvertaken() {
+    if (!m_jobs.busy() || m_drawsCoarsely) return;
+    const std::optional<ViewRequest> wish = m_wish(m_drawnView);
+    if (wish && wish->coarse) m_stopOfDrawing.request_stop();
 }
 
 void PictureMaker::schedule() {
@@ -106,10 +115,17 @@ void PictureMaker::drawNext() {
     m_turnsOfFirst = view == m_first ? m_turnsOfFirst + 1 : 0;
     if (view != m_first) m_cursor = view + 1;
     const ViewRequest request = *m_wish(view);
-    const auto draw = [this, view, request, drawer = m_drawer](GpuJobs::Step& step) {
+    m_drawnView = view;
+    m_drawsCoarsely = request.coarse != nullptr;
+    m_stopOfDrawing = std::stop_source();
+    const auto draw = [this, view, request, drawer = m_drawer, stop = m_stopOfDrawing.get_token()](GpuJobs::Step& step) {
         Message failure;
-        const ViewPicturePointer picture = guarded(failure, [&] { return drawer->draw(request); });
-        step.deliver([this, view, request, picture, failure] { finish(view, request, picture, failure); });
+        const ViewPicturePointer picture = guarded(failure, [&] { return drawer->draw(request, stop); });
+        // A picture that was ended is drawn once it is wished for again.
+        if (!picture && stop.stop_requested())
+            step.deliver([this] { schedule(); });
+        else
+            step.deliver([this, view, request, picture, failure] { finish(view, request, picture, failure); });
     };
     const auto lost = [this, view, request] { passOver(view, request); };
     m_jobs.start(m_gpu, draw, {.buffers = {request.buffers}, .lost = lost, .urgency = Urgency::Picture});

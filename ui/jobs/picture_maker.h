@@ -62,6 +62,8 @@ private:
     };
 
     void schedule();
+    /// Ends a whole picture under way of a view whose wish is a coarse one by now: the user moves it.
+    void endOvertaken();
     void drawNext();
     [[nodiscard]] bool wants(int view) const;
     [[nodiscard]] int nextView() const;
@@ -77,6 +79,9 @@ private:
     int m_cursor = 0;        ///< the view at which the search for the next turn of the others begins
     bool m_scheduled = false;
     GpuJobs m_jobs, m_picks;
+    int m_drawnView = 0;               ///< of the newest job
+    bool m_drawsCoarsely = false;      ///< likewise
+    std::stop_source m_stopOfDrawing;  ///< likewise
 };
 
 }  // namespace cullscope::ui

@@ -175,7 +175,8 @@ std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
     return m_picture;
 }
 
-ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
+ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request, const std::stop_token& stop) {
+    const Renderer::Stoppable stoppable(renderer(), stop);
     const auto start = std::chrono::steady_clock::now();
     const std::shared_ptr<ViewPicture> picture = request.coarse ? drawCoarse(request) : drawWhole(request);
     picture->milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

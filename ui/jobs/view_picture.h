@@ -116,7 +116,8 @@ public:
 
     ViewPictureDrawer(GpuThread& gpu, ViewFramesPointer frames) : m_gpu(gpu), m_frames(std::move(frames)) {}
 
-    [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request);
+    /// `stop`: ends it between two objects (Renderer::Stoppable).
+    [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request, const std::stop_token& stop = {});
     /// The triangle and point that the request's picture shows at a pixel (y upward); none: background. Where lost pixels are
     /// marked, or the truth stands beside, and where nothing is drawn at all: the triangle that the truth has there and the frame
     /// does not.

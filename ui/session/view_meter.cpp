@@ -162,6 +162,7 @@ void ViewMeter::measure(std::vector<Subject> subjects) {
 }
 
 void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
+    const Renderer::Stoppable stoppable(m_bench->renderer(), job.stop);
     if (!job.rounds) {
         if (job.shown.empty()) m_bench->forgetOthers(job.subjects);
         job.askForNext(*m_bench);

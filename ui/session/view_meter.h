@@ -34,7 +34,7 @@ public:
     ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);
-    /// Drops what was asked for; a frame that is being timed ends where its strategy looks for a stop request.
+    /// Drops what was asked for; a frame that is being timed or judged ends before its next object.
     void cancel();
     /// Drops what was asked for, and leaves what is known of other scenes: one that is closed is not kept alive here.
     void leaveOthers(const ScenePointer& scene);
