@@ -1,3 +1,5 @@
+#include <chrono>
+#include <functional>
 #include <thread>
 
 #include "core/base/error.h"
@@ -115,51 +117,43 @@ TEST_P(GlState, overlaysLeaveNothingBehind) {
     }
 }
 
-/// Calls `draw` with stop requests at more and more of its time, until one comes after its end.
-template <typename Draw>
-void expectDefaultsWhereverItIsStopped(const Draw& draw) {
-    int interrupted = 0;
-    bool ended = false;
-    for (int wait = 0; !ended && wait < 2000; ++wait) {
-        std::stop_source source;
-        if (wait == 0) source.request_stop();
-        std::jthread hand([&] {
-            std::this_thread::sleep_for(std::chrono::microseconds(100 * wait));
-            source.request_stop();
-        });
-        const Renderer::Stoppable stoppable(GlEnvironment::renderer(), source.get_token());
-        try {
-            draw();
-            ended = true;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::Interrupted);
-            ++interrupted;
-        }
-        expectDefaults();
-    }
-    EXPECT_TRUE(ended);
-    EXPECT_GT(interrupted, 1) << "none was stopped while it drew";
-}
-
 TEST_P(GlState, aStopRequestLeavesNothingBehind) {
-    const std::vector<Mat4> places(800, Mat4(1.0));
-    const ScenePointer scene = copiesOf(squareMesh(1, -5), places);
+    const ScenePointer scene = copiesOf(squareMesh(1, -5), std::vector<Mat4>(2000, Mat4(1.0)));
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {32, 32});
     const SceneBuffers buffers(scene, GetParam());
     Renderer& renderer = GlEnvironment::renderer();
+    const DrawList all = everything(*scene, Facing::TwoSided);
     const Bound bound;
     Framebuffer target(view.viewport());
-    expectDefaultsWhereverItIsStopped([&] { renderer.draw(buffers, view, everything(*scene, Facing::TwoSided), target); });
-    expectDefaultsWhereverItIsStopped(
-        [&] { (void)renderer.drawItemBuffer(buffers, view, everything(*scene, Facing::TwoSided)); });
     const std::vector<uint8_t> states(scene->triangleCount(), 0);
-    expectDefaultsWhereverItIsStopped([&] {
-        renderer.drawByState(buffers, view, Facing::TwoSided, states,
-                             std::array{PaletteEntry{Vec3f(1.0f), PaletteEntry::Look::Wireframe}}, target);
-    });
-    bound.expectStillBound();
-    // Nothing is stopped any more.
-    EXPECT_NO_THROW(renderer.draw(buffers, view, everything(*scene, Facing::TwoSided), target));
+    const std::array palette{PaletteEntry{Vec3f(1.0f), PaletteEntry::Look::Wireframe}};
+    const std::array<std::function<void()>, 4> draws{
+        [&] { renderer.draw(buffers, view, all, target); }, [&] { (void)renderer.drawItemBuffer(buffers, view, all); },
+        [&] { (void)renderer.pick(buffers, view, all, 16, 16); },
+        [&] { renderer.drawByState(buffers, view, Facing::TwoSided, states, palette, target); }};
+    for (const auto& draw : draws) {
+        // Before the first object, and somewhere on the way.
+        for (int milliseconds = 0; milliseconds < 20; ++milliseconds) {
+            std::stop_source source;
+            if (milliseconds == 0) source.request_stop();
+            const std::jthread hand([&] {
+                std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+                source.request_stop();
+            });
+            const Renderer::Stoppable stoppable(renderer, source.get_token());
+            if (milliseconds == 0)
+                EXPECT_THROW(draw(), Error);
+            else
+                try {
+                    draw();
+                } catch (const Error& error) {
+                    EXPECT_EQ(error.kind(), ErrorKind::Interrupted);
+                }
+            expectDefaults();
+        }
+        bound.expectStillBound();
+        EXPECT_NO_THROW(draw()) << "nothing is stopped any more";
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Uploads, GlState, testing::Values(Upload::Vbo, Upload::VertexArray),
