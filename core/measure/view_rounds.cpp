@@ -34,6 +34,8 @@ ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const J
     figures.truthFacing = truth.facing;
     figures.accuracy = judged.accuracy;
     figures.missedBeyondSnapping = judged.missedBeyondSnapping;
+    if (figures.lostPixels() < figures.accuracy.missedPixels)
+        figures.lost = std::make_shared<const std::vector<uint32_t>>(judged.lost);
     figures.states =
         std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible(), judged.lostTriangles));
     std::vector<uint8_t> missed = missedMask(truth, judged.shown);

@@ -43,6 +43,8 @@ struct ViewFigures {
     /// The number of missed pixels that the rasteriser's snapping of vertices does not explain. Only set where the snapping may
     /// explain some (JudgedFrame).
     std::optional<uint64_t> missedBeyondSnapping;
+    /// Where snapping explains some: the pixels that are lost (JudgedFrame::lost). Null: all missed pixels are.
+    std::shared_ptr<const std::vector<uint32_t>> lost;
 
     std::shared_ptr<const TriangleStates> states;  ///< of every triangle of the shown frame, beside the truth
     std::vector<Hole> holes;                       ///< largest first; of all missed pixels

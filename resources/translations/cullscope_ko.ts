@@ -153,6 +153,10 @@
         <comment>heading of the legend&apos;s counts, size</comment>
         <translation>%1 픽셀에서의 삼각형:</translation>
     </message>
+    <message>
+        <source>within snapping, not lost (pixels)</source>
+        <translation>맞춤 안, 손실 아님(픽셀)</translation>
+    </message>
 </context>
 <context>
     <name>SphericalModel</name>
@@ -8044,12 +8048,16 @@ OpenGL %2
         <translation>놓친 픽셀</translation>
     </message>
     <message>
-        <source>pixels nearer than the truth</source>
-        <translation>참값보다 가까운 픽셀</translation>
-    </message>
-    <message>
         <source>pixels that differ</source>
         <translation>다른 픽셀</translation>
+    </message>
+    <message>
+        <source>within snapping</source>
+        <translation>맞춤 안</translation>
+    </message>
+    <message>
+        <source>nearer than the truth</source>
+        <translation>참값보다 가까움</translation>
     </message>
 </context>
 <context>
@@ -10366,6 +10374,10 @@ sides [95 %]</source>
     <message>
         <source>coarse while it moves: %1 of %2 triangles, by object; what lies outside as boxes</source>
         <translation>움직이는 동안 거칠게: 삼각형 %2개 중 %1개, 물체 단위. 절두체 밖은 상자</translation>
+    </message>
+    <message>
+        <source>difference %1 of %2, pixels: %3</source>
+        <translation>차이 %1/%2, 픽셀: %3</translation>
     </message>
 </context>
 <context>

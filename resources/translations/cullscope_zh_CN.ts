@@ -153,6 +153,10 @@
         <comment>heading of the legend&apos;s counts, size</comment>
         <translation>%1 像素下的三角形：</translation>
     </message>
+    <message>
+        <source>within snapping, not lost (pixels)</source>
+        <translation>对齐误差之内，不算丢失（像素）</translation>
+    </message>
 </context>
 <context>
     <name>SphericalModel</name>
@@ -8044,12 +8048,16 @@ OpenGL %2
         <translation>丢失的像素</translation>
     </message>
     <message>
-        <source>pixels nearer than the truth</source>
-        <translation>比真值更近的像素</translation>
-    </message>
-    <message>
         <source>pixels that differ</source>
         <translation>不同的像素</translation>
+    </message>
+    <message>
+        <source>within snapping</source>
+        <translation>对齐误差之内</translation>
+    </message>
+    <message>
+        <source>nearer than the truth</source>
+        <translation>比真值更近</translation>
     </message>
 </context>
 <context>
@@ -10366,6 +10374,10 @@ sides [95 %]</source>
     <message>
         <source>coarse while it moves: %1 of %2 triangles, by object; what lies outside as boxes</source>
         <translation>移动时为粗略图像：%2 个三角形中的 %1 个，按物体；视锥体外的用包围盒</translation>
+    </message>
+    <message>
+        <source>difference %1 of %2, pixels: %3</source>
+        <translation>差异 %1/%2，像素：%3</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,20 @@ TEST_F(Window, whatSnappingExplainsIsNoMissedPixelInTheChipOfMarkedOnes) {
         EXPECT_TRUE(chip.contains(QStringLiteral("missed pixels: %1,").arg(countText(figures.lostPixels()))))
             << chip.toStdString();
         if (explained > 0) {
+            ASSERT_TRUE(waitUntil([&] { return session.picture(0)->withinSnapping == explained; }))
+                << "those have a colour of their own";
+            const Vec3f colour = verdictPalette(session.drawStyle().background)[size_t(TriangleState::WronglyCulled)].colour;
+            const QColor ofLost(int(std::lround(colour.x * 255.0f)), int(std::lround(colour.y * 255.0f)),
+                                int(std::lround(colour.z * 255.0f)));
+            const QImage& marks = session.picture(0)->marks;
+            size_t snapped = 0, lost = 0;
+            for (int y = 0; y < marks.height(); ++y)
+                for (int x = 0; x < marks.width(); ++x) {
+                    snapped += marks.pixelColor(x, y) == snappedPixelColour() ? 1 : 0;
+                    lost += marks.pixelColor(x, y) == ofLost ? 1 : 0;
+                }
+            EXPECT_GT(snapped, 0u);
+            EXPECT_EQ(lost > 0, figures.lostPixels() > 0);
             const QString within = QStringLiteral("within snapping and not lost: ") + countText(explained);
             EXPECT_TRUE(chip.contains(within)) << chip.toStdString();
         }

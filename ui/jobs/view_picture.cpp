@@ -1,6 +1,7 @@
 #include "ui/jobs/view_picture.h"
 
 #include <QRgb>
+#include <algorithm>
 #include <chrono>
 #include <limits>
 #include <set>
@@ -15,7 +16,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kMarkReach = 2;  // marks of 5 × 5 pixels, so that one pixel in 300,000 can be seen
-constexpr QRgb kAddedColour = 0xff3168f5;
+constexpr QRgb kAddedColour = 0xff3168f5, kSnappedColour = 0xffb07a00;
 
 QRgb missedColour(const DrawStyle& style) {
     const Vec3f colour = verdictPalette(style.background)[size_t(TriangleState::WronglyCulled)].colour;
@@ -30,20 +31,27 @@ void grow(QImage& marks, int x, int y, int reach, QRgb colour) {
     }
 }
 
-/// Marks what `colour` shows farther away or nearer than `other`; the missed ones lie on top.
+/// Marks what `colour` shows farther away or nearer than `other`; the lost ones lie on top.
 void markDifferences(ViewPicture& picture, const std::vector<PixelDifference>& differences, int reach) {
     const Viewport& size = picture.request.size;
     picture.marks = newImage(size, QImage::Format_ARGB32_Premultiplied);
     picture.marks.fill(Qt::transparent);
     const QRgb missed = missedColour(picture.request.style);
-    for (const PixelDifference difference : {PixelDifference::Extra, PixelDifference::Missed})
+    const auto& lost = picture.request.lost;
+    const auto isLost = [&](size_t pixel) { return !lost || std::ranges::binary_search(*lost, uint32_t(pixel)); };
+    const auto mark = [&](uint64_t& count, QRgb colour, const auto& marked) {
         for (size_t i = 0; i < differences.size(); ++i) {
-            if (differences[i] != difference) continue;
-            const bool lost = difference == PixelDifference::Missed;
-            ++(lost ? picture.missed : picture.added);
-            const int y = size.height - 1 - int(i / size_t(size.width));
-            grow(picture.marks, int(i % size_t(size.width)), y, reach, lost ? missed : kAddedColour);
+            if (!marked(i)) continue;
+            ++count;
+            grow(picture.marks, int(i % size_t(size.width)), size.height - 1 - int(i / size_t(size.width)), reach, colour);
         }
+    };
+    const auto misses = [&](size_t i) { return differences[i] == PixelDifference::Missed; };
+    uint64_t lostOnes = 0;
+    mark(picture.added, kAddedColour, [&](size_t i) { return differences[i] == PixelDifference::Extra; });
+    mark(picture.withinSnapping, kSnappedColour, [&](size_t i) { return misses(i) && !isLost(i); });
+    mark(lostOnes, missed, [&](size_t i) { return misses(i) && isLost(i); });
+    picture.missed = lostOnes + picture.withinSnapping;
 }
 
 }  // namespace
@@ -81,6 +89,7 @@ View ViewRequest::shownView() const {
 }
 
 QColor addedPixelColour() { return QColor::fromRgb(kAddedColour); }
+QColor snappedPixelColour() { return QColor::fromRgb(kSnappedColour); }
 
 Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
     if (!m_framebuffer || !(m_framebuffer->size() == size)) m_framebuffer = std::make_unique<Framebuffer>(size);

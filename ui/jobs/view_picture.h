@@ -32,6 +32,8 @@ struct ViewRequest {
     DrawStyle style;
     std::optional<Section> section;  ///< that cuts the picture, and never the frame
     TriangleStatesPointer states;    ///< against the truth, if that is known already; else null
+    /// With Wipe::Mode::Loss, where it is known that snapping explains some missed pixels: those that are lost. Else null.
+    std::shared_ptr<const std::vector<uint32_t>> lost{};
     Wipe::Mode wipe = Wipe::Mode::None;
     BuiltStrategyPointer other;      ///< the other strategy in Wipe::Mode::OtherView and Difference
     int otherView = 0;               ///< with `other`: the view that it is the strategy of
@@ -61,6 +63,7 @@ struct ViewPicture {
     QImage other;                      ///< the truth, or the other view's picture; null without a wipe
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
     uint64_t missed = 0, added = 0;    ///< pixels at which `colour` shows a farther or a nearer surface than `other`
+    uint64_t withinSnapping = 0;       ///< of the missed ones: those that the request does not count as lost
     uint64_t consideredTriangles = 0;  ///< triangles submitted to OpenGL
     double milliseconds = 0.0;         ///< that it took in all, with the frame's decisions where they were new
     bool timed = false;                ///< the view's next frame was told how long this one took
@@ -68,8 +71,9 @@ struct ViewPicture {
     bool partOfModel = false;          ///< in spherical coordinates: the strategy submitted only a part of the shown object
 };
 
-/// The colour of marked pixels that show a nearer surface than the picture beside.
+/// The colour of marked pixels that show a nearer surface than the picture beside, and of missed ones within snapping.
 [[nodiscard]] QColor addedPixelColour();
+[[nodiscard]] QColor snappedPixelColour();
 
 using ViewPicturePointer = std::shared_ptr<const ViewPicture>;
 

@@ -109,6 +109,7 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
     part.request.style.unit = float(unit);
     part.wanted.reach = int(std::lround(2.0 * unit));
     if (!(part.request.cullingSize == shown.cullingSize)) part.request.states = nullptr;
+    if (!(part.request.size == shown.size)) part.request.lost = nullptr;
     part.wanted.truth = shown.look.has(Show::Kind::Verdicts) && mayMeasure(shown) && !part.request.states;
     part.extras = scaled(extras(part.view), shown.size, size, unit);
     part.subject = subjectOf(session, part.view, part.request);
@@ -129,7 +130,7 @@ void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
 }
 
 std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
-    bool planes = false, marks = false;
+    bool planes = false, marks = false, snapped = false;
     std::set<TriangleState> states;
     std::set<std::string> contrasting;
     for (const ScreenshotPlan::Part& part : parts) {
@@ -137,6 +138,7 @@ std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& 
         for (const std::string& words : contrastLegendOf(part.request.look, part.request.strategy->info()))
             contrasting.insert(words);
         planes = planes || part.request.look.has(Show::Kind::Planes);
+        snapped = snapped || part.request.lost != nullptr;
         marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
     }
     std::vector<LegendEntry> legend;
@@ -151,6 +153,9 @@ std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& 
         legend.push_back({std::nullopt, QColor::fromRgbF(lost.x, lost.y, lost.z),
                           QCoreApplication::translate("Screenshot", "farther away than beside it, or missing (pixels)"),
                           QRect()});
+        if (snapped)
+            legend.push_back({std::nullopt, snappedPixelColour(),
+                              QCoreApplication::translate("Screenshot", "within snapping, not lost (pixels)"), QRect()});
         legend.push_back({std::nullopt, addedPixelColour(),
                           QCoreApplication::translate("Screenshot", "nearer than beside it (pixels)"), QRect()});
     }

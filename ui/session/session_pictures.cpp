@@ -46,6 +46,9 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     if (request.look.has(Show::Kind::Verdicts) && known.states && known.subject == *subject) request.states = known.states;
     const Wipe& wipe = setup(view).wipe;
     request.wipe = wipe.mode;
+    if (wipe.mode == Wipe::Mode::Loss && known.subject == *subject && request.viewing == request.culling &&
+        request.size == request.cullingSize && !request.section)
+        request.lost = known.lost;
     if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference) {
         request.otherView = culledBy(wipe.other);
         request.other = slot(request.otherView).built();
@@ -55,6 +58,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
         // What stands in place of the whole picture: no comparison and no other overlay.
         request.look = request.look.inPlaceAlone();
         request.states = nullptr;
+        request.lost = nullptr;
         request.wipe = Wipe::Mode::None;
         request.other = nullptr;
         request.section.reset();
@@ -72,6 +76,7 @@ std::optional<ViewRequest> Session::pictureWish(int view) const {
     request->wipe = Wipe::Mode::None;
     request->other = nullptr;
     request->states = nullptr;
+    request->lost = nullptr;
     return request;
 }
 

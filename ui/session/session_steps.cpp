@@ -114,6 +114,7 @@ void Session::limitToStep(ViewRequest& request) const {
     }
     // The states against the truth are those of the whole frame.
     request.states = nullptr;
+    request.lost = nullptr;
 }
 
 }  // namespace cullscope::ui

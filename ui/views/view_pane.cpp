@@ -124,6 +124,7 @@ QString ViewPane::chipText() const {
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
     if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size() && !setup.look.inPlace())
         parts << (m_session.figures(m_view).lostPixels() > 0 ? tr("loss %1 of %2, pixels: %3")
+                  : setup.wipe.mode == Wipe::Mode::Loss      ? tr("difference %1 of %2, pixels: %3")
                                                              : tr("difference within snapping %1 of %2, pixels: %3"))
                      .arg(*loss + 1)
                      .arg(holes.size())

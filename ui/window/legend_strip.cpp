@@ -70,7 +70,8 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
         if (states[state]) entries.push_back({translated(triangleStateName(TriangleState(state))), TriangleState(state), {}});
     if (marks) {
         entries.push_back({tr("missed pixels"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
-        entries.push_back({tr("pixels nearer than the truth"), {}, addedPixelColour()});
+        entries.push_back({tr("within snapping"), {}, snappedPixelColour()});
+        entries.push_back({tr("nearer than the truth"), {}, addedPixelColour()});
     }
     if (differences) entries.push_back({tr("pixels that differ"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
     if (planes)

@@ -85,6 +85,8 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
 
 MainWindow::~MainWindow() {
     m_session.endFrames();
+    // A dock that hides with the window asks for a legend, which makes no widgets in a window that goes.
+    m_dock->disconnect(this);
     // The lecture window returns the borrowed view to the grid, so it is destroyed while the grid exists.
     delete m_lecture;
 }
