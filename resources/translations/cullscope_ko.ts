@@ -2218,7 +2218,7 @@
         <translation>더 가까운 곳의 최댓값</translation>
     </message>
     <message>
-        <source>beyond it nothing is drawn</source>
+        <source>nothing drawn beyond</source>
         <translation>이 너머로는 그리지 않음</translation>
     </message>
     <message>

@@ -2218,7 +2218,7 @@
         <translation>更近处的最大值</translation>
     </message>
     <message>
-        <source>beyond it nothing is drawn</source>
+        <source>nothing drawn beyond</source>
         <translation>此后不再绘制</translation>
     </message>
     <message>

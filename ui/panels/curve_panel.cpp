@@ -61,6 +61,11 @@ void CurvePanel::refresh() {
     });
 }
 
+int CurvePanel::neededHeight(int width) const {
+    const int choices = m_choices->isHidden() ? 0 : m_choices->sizeHint().height();
+    return choices + (m_plot->empty() ? m_plot->minimumHeight() : m_plot->neededHeight(width));
+}
+
 void CurvePanel::show(Curves curves) {
     m_curves = std::move(curves);
     showCurve();

@@ -28,6 +28,8 @@ public:
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
     /// The shown part, from 1; none: all together, or there are none. While a view is stepped, it is the part in hand.
     [[nodiscard]] std::optional<uint32_t> shownPart() const;
+    /// The height in which all of it is shown, at that width.
+    [[nodiscard]] int neededHeight(int width) const;
     void show(Curves curves);
     using QWidget::show;
 

@@ -80,7 +80,10 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     close->setParent(m_tabs);
     m_tabs->tabBar()->setStyle(close);
     layout->addWidget(m_tabs, 1);
+    // Once the pages have read it, too.
+    connect(&m_reader, &SnapshotReader::changed, this, &StructurePanel::needsChanged, Qt::QueuedConnection);
     connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
+        emit needsChanged();
         if (!m_showing) m_left = nullptr;
         if (m_tabs->tabBar()->hasFocus()) chooseWhileStepping();
         markPart();
@@ -123,8 +126,12 @@ bool StructurePanel::showsCurve() const {
     return std::ranges::any_of(m_curves, [this](const CurvePanel* curve) { return curve == m_tabs->currentWidget(); });
 }
 
-int StructurePanel::leastBelowMap() const {
-    return m_tabs->tabBar()->sizeHint().height() + m_tabs->currentWidget()->minimumSizeHint().height();
+int StructurePanel::leastBelowMap(int width) const {
+    const auto curve = std::ranges::find_if(m_curves, [this](const CurvePanel* one) { return one == m_tabs->currentWidget(); });
+    const int needed =
+        curve != m_curves.end() ? (*curve)->neededHeight(width) : m_tabs->currentWidget()->minimumSizeHint().height();
+    const int gaps = layout()->contentsMargins().top() + layout()->spacing();
+    return gaps + m_tabs->tabBar()->sizeHint().height() + needed;
 }
 
 std::string StructurePanel::page() const { return m_tabs->currentWidget()->objectName().toStdString(); }

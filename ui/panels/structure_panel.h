@@ -45,13 +45,17 @@ public:
     void setAudienceMap(int height, int left);
     /// Whether the open tab has a curve.
     [[nodiscard]] bool showsCurve() const;
-    /// The least height of the tabs with the page in front.
-    [[nodiscard]] int leastBelowMap() const;
+    /// The least height below the map at that width: of the tabs with the page in front, and of the gaps between.
+    [[nodiscard]] int leastBelowMap(int width) const;
     /// The id of the open tab, and opens the one with an id, where the strategy has it.
     [[nodiscard]] std::string page() const;
     void showPage(const std::string& id);
     /// Shows the tab with the decisions on the picked triangle.
     void showWhy() { m_tabs->setCurrentWidget(m_why); }
+
+signals:
+    /// Pages may need another height than before.
+    void needsChanged();
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -43,7 +43,7 @@ ExperimentBar::ExperimentBar(QWidget* parent)
       m_sweep(new QToolButton(this)),
       m_sweeps(new QMenu(this)),
       m_progress(new QProgressBar(this)) {
-    auto* layout = new FlowLayout(this, kSpacing);
+    auto* layout = new FlowLayout(this, kSpacing, kSpacing);
     layout->setContentsMargins(0, 0, 0, 0);
     m_poses->setRange(1, kMostPoses);
     m_poses->setValue(16);

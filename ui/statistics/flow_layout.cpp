@@ -5,7 +5,7 @@
 
 namespace cullscope::ui {
 
-FlowLayout::FlowLayout(QWidget* parent, int spacing) : QLayout(parent), m_spacing(spacing) {}
+FlowLayout::FlowLayout(QWidget* parent, int between, int rows) : QLayout(parent), m_between(between), m_rows(rows) {}
 
 FlowLayout::~FlowLayout() { qDeleteAll(m_items); }
 
@@ -33,7 +33,7 @@ int FlowLayout::arrange(const QRect& place, bool apply) const {
         for (QLayoutItem* item : std::as_const(line)) {
             const QSize size = item->sizeHint();
             if (apply) item->setGeometry(QRect(QPoint(left, top + (height - size.height()) / 2), size));
-            left += size.width() + m_spacing;
+            left += size.width() + m_between;
         }
         line.clear();
     };
@@ -42,11 +42,11 @@ int FlowLayout::arrange(const QRect& place, bool apply) const {
         const QSize size = item->sizeHint();
         if (!line.isEmpty() && x + size.width() > inner.width()) {
             finishLine();
-            top += height + m_spacing;
+            top += height + m_rows;
             x = height = 0;
         }
         line.append(item);
-        x += size.width() + m_spacing;
+        x += size.width() + m_between;
         height = std::max(height, size.height());
     }
     finishLine();

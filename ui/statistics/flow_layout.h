@@ -9,7 +9,8 @@ class FlowLayout : public QLayout {
     Q_OBJECT
 
 public:
-    FlowLayout(QWidget* parent, int spacing);
+    /// `between`: pixels between two widgets of a row; `rows`: between two rows.
+    FlowLayout(QWidget* parent, int between, int rows);
     ~FlowLayout() override;
 
     void addItem(QLayoutItem* item) override { m_items.append(item); }
@@ -28,7 +29,7 @@ private:
     int arrange(const QRect& place, bool apply) const;
 
     QList<QLayoutItem*> m_items;
-    int m_spacing;
+    int m_between, m_rows;
 };
 
 }  // namespace cullscope::ui

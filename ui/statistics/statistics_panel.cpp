@@ -75,7 +75,7 @@ StatisticsPanel::~StatisticsPanel() = default;
 
 void StatisticsPanel::setUpBars() {
     auto* second = new QWidget(this);
-    auto* line = new FlowLayout(second, kPanelSpacing);
+    auto* line = new FlowLayout(second, kPanelSpacing, kPanelSpacing);
     line->setContentsMargins(0, 0, 0, 0);
     m_tabs->setDrawBase(false);
     m_tabs->setExpanding(false);

@@ -105,7 +105,7 @@ void LectureWindow::arrangePanes(const QRect& place) {
     const double ofMap = m_structure->showsCurve() ? kMapShareByCurve : kMapShare;
     int strip = int(ofMap * inside.height());
     if (m_structure->showsCurve())
-        strip = std::min(strip, std::max(scaled(kLeastMap), inside.height() - m_structure->leastBelowMap()));
+        strip = std::min(strip, std::max(scaled(kLeastMap), inside.height() - m_structure->leastBelowMap(inside.width())));
     // No higher than the map beside the watching view needs: the listing below has ten lines.
     const int widest = watched ? std::min(int(kShapeOfPicture * strip), int(kWatchingWidth * inside.width())) : 0;
     if (map) strip = std::min(strip, m_structure->map().map().wholeHeight(inside.width() - widest - scaled(kPaneGap)));

@@ -80,6 +80,7 @@ void LectureWindow::follow() {
     for (const auto signal : {&Session::activeViewChanged, &Session::questionChanged})
         connect(&m_session, signal, this, &LectureWindow::refresh);
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
+    connect(m_structure, &StructurePanel::needsChanged, this, &LectureWindow::arrange);
 }
 
 void LectureWindow::makeFoot() {

@@ -13,7 +13,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kLegendGap = 18;
+constexpr int kLegendGap = 18, kRowGap = 4;
 constexpr int kLeastSwatch = 12;  // pixels
 
 /// A rectangle in the colour that is explained.
@@ -42,7 +42,8 @@ private:
 }  // namespace
 
 LegendStrip::LegendStrip(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
-    new FlowLayout(this, kLegendGap);
+    auto* rows = new FlowLayout(this, kLegendGap, kRowGap);
+    rows->setContentsMargins(0, 0, 0, 0);
 }
 
 std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& views, bool bars) const {

@@ -97,7 +97,7 @@ private:
     }
 
     [[nodiscard]] CurveUpright cutLine() const {
-        CurveUpright line{{CULLSCOPE_TR("beyond it nothing is drawn")}, std::nullopt, true};
+        CurveUpright line{{CULLSCOPE_TR("nothing drawn beyond")}, std::nullopt, true};
         if (!m_cut) return line;
         line.at = inDegrees(*m_cut);
         line.label = {"%1", {Term::angle(*m_cut)}};
