@@ -57,10 +57,10 @@ Show chcListing() {
                         {CULLSCOPE_TR("test its box against the frustum"), 1},
                         {CULLSCOPE_TR("outside: leave all its objects out"), 1},
                         {CULLSCOPE_TR("first, near or visible before: visible"), 1},
-                        {CULLSCOPE_TR("a leaf, and due: ask again at the end"), 2},
+                        {CULLSCOPE_TR("a leaf and due: ask again at the end"), 2},
                         {CULLSCOPE_TR("else ask OpenGL, several in one query"), 1},
-                        {CULLSCOPE_TR("some of several show: ask one by one"), 2},
-                        {CULLSCOPE_TR("no: hidden, leave all its objects out"), 2},
+                        {CULLSCOPE_TR("some of several show: ask one by one"), 1},
+                        {CULLSCOPE_TR("no: hidden, leave all its objects out"), 1},
                         {CULLSCOPE_TR("visible: visit(parts), nearest first"), 1},
                         {CULLSCOPE_TR("no parts: draw its objects"), 1}});
 }
