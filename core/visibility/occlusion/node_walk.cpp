@@ -5,6 +5,7 @@
 
 #include "core/geometry/separation.h"
 #include "core/visibility/eye_bounds.h"
+#include "core/visibility/occlusion/occluders.h"
 
 namespace cullscope::occlusion {
 
@@ -120,13 +121,8 @@ void NodeWalk::leaveOut(uint32_t number, uint8_t line, Cause cause) {
 }
 
 Decision NodeWalk::result(uint32_t number, bool visible, const char* sentence, std::initializer_list<double> operands) {
-    Decision decision;
+    Decision decision = hidingTest(!visible, sentence, operands);
     decision.subject = Subject::ofNode(number);
-    decision.containment = visible ? Containment::Straddles : Containment::Outside;
-    decision.cause = Cause::Hidden;
-    decision.sentence = sentence;
-    std::ranges::copy(operands, decision.operands.begin());
-    decision.operandCount = uint8_t(operands.size());
     return decision;
 }
 
