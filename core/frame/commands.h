@@ -58,15 +58,16 @@ struct HitDistances {
 struct AskedBoxes {
     BoxQuestion question = BoxQuestion::Samples;
     std::vector<EyeBox> boxes;
-    std::vector<uint32_t> hits;             ///< indices into `boxes`, ascending
-    bool answered = true;                   ///< false: a later frame gets the answer, and `hits` is empty
+    std::vector<uint32_t> hits;             ///< indices into `boxes`, or numbers of groups of them (`ends`), ascending
+    bool answered = true;                   ///< false: the answer is got later, and `hits` is empty
     std::vector<HitDistances> distances{};  ///< of BoxQuestion::Selection, by hit
     size_t bufferWords = 0;                 ///< of BoxQuestion::Selection: of the hit buffer that held all records
     int overflows = 0;                      ///< how often a smaller one was too small before
+    std::vector<uint32_t> ends{};  ///< of groups with one answer each: behind its last box; empty: each box has its answer
 };
 
-/// A question whose answer a later frame gets (FrameContext::ask). It is kept by the strategy, as a rule in a view's memory,
-/// whose copies share it; it may outlive the OpenGL context.
+/// A question whose answer is got later, in this or a later frame (FrameContext::ask). It is kept by the strategy, as a rule in a
+/// view's memory, whose copies share it; it may outlive the OpenGL context.
 class BoxTicket {
 public:
     BoxTicket() = default;

@@ -48,13 +48,19 @@ struct CommandWords {
     }
     Words operator()(const AskedBoxes& asked) const {
         if (!asked.answered)
-            return {CULLSCOPE_TR("OpenGL is asked about boxes: %1; its answers come in a later frame"),
-                    {Term::count(asked.boxes.size())}};
+            return asked.ends.empty()
+                       ? Words{CULLSCOPE_TR("OpenGL is asked about boxes: %1; its answers come later"),
+                               {Term::count(asked.boxes.size())}}
+                       : Words{CULLSCOPE_TR("OpenGL is asked about boxes: %1, in groups: %2; its answers come later"),
+                               {Term::count(asked.boxes.size()), Term::count(asked.ends.size())}};
         if (asked.bufferWords > 0)
             return {CULLSCOPE_TR("Boxes are drawn in OpenGL's selection mode: %1; hit records: %2; the hit buffer of %3 words "
                                  "overflowed before: %4"),
                     {Term::count(asked.boxes.size()), Term::count(asked.hits.size()), Term::plain(asked.bufferWords),
                      Term::count(uint64_t(asked.overflows))}};
+        if (!asked.ends.empty())
+            return {CULLSCOPE_TR("OpenGL is asked about boxes: %1, in groups: %2; groups hit: %3"),
+                    {Term::count(asked.boxes.size()), Term::count(asked.ends.size()), Term::count(asked.hits.size())}};
         return {CULLSCOPE_TR("OpenGL is asked about boxes: %1; hit: %2"),
                 {Term::count(asked.boxes.size()), Term::count(asked.hits.size())}};
     }

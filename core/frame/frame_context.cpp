@@ -18,6 +18,19 @@ double millisecondsSince(Clock::time_point start) {
     throwOpenGl(CULLSCOPE_TR("This strategy asks OpenGL what is visible, and there is no OpenGL context here."));
 }
 
+/// `ends`: behind the last box of each group (AskedBoxes).
+void requireGroups(size_t boxes, std::span<const uint32_t> ends) {
+    if (ends.empty()) return;
+    uint32_t end = 0;
+    for (const uint32_t next : ends) {
+        if (next <= end) throwUsage(CULLSCOPE_TR("OpenGL cannot be asked about a group of no boxes."));
+        end = next;
+    }
+    if (end != boxes)
+        throwUsage(CULLSCOPE_TR("OpenGL is asked about %1 boxes, and their groups have %2 boxes: each box belongs to one group."),
+                   {std::to_string(boxes), std::to_string(end)});
+}
+
 }  // namespace
 
 FrameContext::FrameContext(const Scene& scene, const View& culling, bool recording) : m_scene(scene), m_view(culling) {
@@ -62,9 +75,10 @@ SelectedBoxes FrameContext::selectBoxes(std::vector<EyeBox> boxes, size_t buffer
     return selected;
 }
 
-std::vector<uint32_t> FrameContext::visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question) {
-    std::vector<uint32_t> hits = answerQuestion(boxes, question);
-    m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), hits});
+std::vector<uint32_t> FrameContext::visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question, std::vector<uint32_t> ends) {
+    requireGroups(boxes.size(), ends);
+    std::vector<uint32_t> hits = answerQuestion(boxes, ends, question);
+    m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), hits, true, {}, 0, 0, std::move(ends)});
     return hits;
 }
 
@@ -80,9 +94,10 @@ void FrameContext::workOutUntimed(const std::function<void()>& work) {
     m_untimedMilliseconds += millisecondsSince(start);
 }
 
-BoxTicketPointer FrameContext::ask(std::vector<EyeBox> boxes, BoxQuestion question) {
-    BoxTicketPointer ticket = putQuestion(boxes, question);
-    m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), {}, false});
+BoxTicketPointer FrameContext::ask(std::vector<EyeBox> boxes, BoxQuestion question, std::vector<uint32_t> ends) {
+    requireGroups(boxes.size(), ends);
+    BoxTicketPointer ticket = putQuestion(boxes, ends, question);
+    m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), {}, false, {}, 0, 0, std::move(ends)});
     return ticket;
 }
 
@@ -139,10 +154,14 @@ void FrameContext::endChoice(const Candidates& candidates) {
 
 void FrameContext::executeChoice(const GpuChoice& /*choice*/, size_t /*command*/) { throwNoContext(); }
 SelectedBoxes FrameContext::answerSelection(std::span<const EyeBox> /*boxes*/, size_t /*bufferWords*/) { throwNoContext(); }
-std::vector<uint32_t> FrameContext::answerQuestion(std::span<const EyeBox> /*boxes*/, BoxQuestion /*question*/) {
+std::vector<uint32_t> FrameContext::answerQuestion(std::span<const EyeBox> /*boxes*/, std::span<const uint32_t> /*ends*/,
+                                                   BoxQuestion /*question*/) {
     throwNoContext();
 }
-BoxTicketPointer FrameContext::putQuestion(std::span<const EyeBox> /*boxes*/, BoxQuestion /*question*/) { throwNoContext(); }
+BoxTicketPointer FrameContext::putQuestion(std::span<const EyeBox> /*boxes*/, std::span<const uint32_t> /*ends*/,
+                                           BoxQuestion /*question*/) {
+    throwNoContext();
+}
 std::vector<uint32_t> FrameContext::findVisible() { throwNoContext(); }
 std::optional<std::vector<uint32_t>> FrameContext::fetchAnswer(BoxTicket& /*ticket*/) { throwNoContext(); }
 

@@ -54,13 +54,17 @@ public:
     [[nodiscard]] SelectedBoxes selectBoxes(std::vector<EyeBox> boxes, size_t bufferWords);
     /// The boxes, relative to the eye, that cover a sample of the picture: of all samples (BoxQuestion::Samples), or of those at
     /// which they lie before what the frame has drawn so far (DepthSoFar). As indices into the span, ascending. A box that holds
-    /// a point of the near rectangle may cover none (see gpu/renderer.h). Throws Error(OpenGl) without OpenGL.
-    [[nodiscard]] std::vector<uint32_t> visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question);
-    /// Asks the same (Samples or DepthSoFar) without waiting: a later frame gets the answer, by `answer`. Throws Error(OpenGl)
-    /// without OpenGL.
-    [[nodiscard]] BoxTicketPointer ask(std::vector<EyeBox> boxes, BoxQuestion question);
-    /// The answer to a question of an earlier frame, as visibleBoxes gives it; waits where OpenGL is not that far. It can be
-    /// asked for any number of times. None where the question was asked of another OpenGL context, or of one that is gone.
+    /// a point of the near rectangle may cover none (see gpu/renderer.h). With `ends`, consecutive boxes have one answer
+    /// together, whether any of them covers such a sample: group g ends before box ends[g]; the answer has the numbers of the
+    /// groups. Throws Error(OpenGl) without OpenGL, and Error(Usage) where a group is empty or the last one does not end at the
+    /// last box.
+    [[nodiscard]] std::vector<uint32_t> visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question,
+                                                     std::vector<uint32_t> ends = {});
+    /// Asks the same (Samples or DepthSoFar) without waiting: `answer` gets the answer, later in this frame or in a later one.
+    /// Throws as visibleBoxes does.
+    [[nodiscard]] BoxTicketPointer ask(std::vector<EyeBox> boxes, BoxQuestion question, std::vector<uint32_t> ends = {});
+    /// The answer to a question of this or an earlier frame, as visibleBoxes gives it; waits where OpenGL is not that far. It can
+    /// be asked for any number of times. None where the question was asked of another OpenGL context, or of one that is gone.
     [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);
 
     /// The scene's triangles that the exact picture of the culling view shows under the frame's facing rule, ascending, each
@@ -115,8 +119,10 @@ protected:
     virtual void executeChoice(const GpuChoice& choice, size_t command);
     virtual void readBack(FrameLog& /*log*/) {}
     [[nodiscard]] virtual SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords);
-    [[nodiscard]] virtual std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
-    [[nodiscard]] virtual BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
+    [[nodiscard]] virtual std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
+                                                               BoxQuestion question);
+    [[nodiscard]] virtual BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
+                                                       BoxQuestion question);
     [[nodiscard]] virtual std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket);
     /// As visibleTriangles, when all work before has ended.
     [[nodiscard]] virtual std::vector<uint32_t> findVisible();

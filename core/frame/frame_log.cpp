@@ -72,7 +72,7 @@ struct BytesOf {
         return of(own->positions) + of(own->normals) + of(own->triangles) + of(own->runs);
     }
     uint64_t operator()(const FinishedPicturePointer& picture) const { return of(picture->triangle) + of(picture->depth); }
-    uint64_t operator()(const AskedBoxes& asked) const { return of(asked.boxes) + of(asked.hits); }
+    uint64_t operator()(const AskedBoxes& asked) const { return of(asked.boxes) + of(asked.hits) + of(asked.ends); }
 };
 
 }  // namespace

@@ -43,10 +43,10 @@ std::optional<std::vector<uint32_t>> AskedTicket::answer(const BoxQueries& pool)
     const std::lock_guard lock(m_mutex);
     if (!m_answer) {
         m_answer.emplace();
-        for (size_t box = 0; box < m_queries.size(); ++box) {
+        for (size_t query = 0; query < m_queries.size(); ++query) {
             GLuint any = GL_FALSE;
-            glGetQueryObjectuiv(m_queries[box], GL_QUERY_RESULT, &any);
-            if (any != GL_FALSE) m_answer->push_back(static_cast<uint32_t>(box));
+            glGetQueryObjectuiv(m_queries[query], GL_QUERY_RESULT, &any);
+            if (any != GL_FALSE) m_answer->push_back(static_cast<uint32_t>(query));
         }
     }
     return m_answer;

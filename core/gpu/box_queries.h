@@ -27,15 +27,15 @@ private:
     bool m_closed = false;
 };
 
-/// One query for each box of a question.
+/// One query for each box, or each group of boxes, of a question.
 class AskedTicket final : public BoxTicket {
 public:
     /// Needs the context of `pool`.
-    AskedTicket(std::shared_ptr<BoxQueries> pool, size_t boxes) : m_pool(std::move(pool)), m_queries(m_pool->take(boxes)) {}
+    AskedTicket(std::shared_ptr<BoxQueries> pool, size_t queries) : m_pool(std::move(pool)), m_queries(m_pool->take(queries)) {}
     ~AskedTicket() override { m_pool->giveBack(m_queries); }
 
     [[nodiscard]] std::span<const unsigned> queries() const { return m_queries; }
-    /// The boxes whose queries passed; none in a context that is not that of `pool`.
+    /// The numbers of the queries that passed; none in a context that is not that of `pool`.
     [[nodiscard]] std::optional<std::vector<uint32_t>> answer(const BoxQueries& pool);
 
 private:

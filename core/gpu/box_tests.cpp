@@ -168,35 +168,40 @@ SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const EyeBox> bo
 
 namespace {
 
-/// One query for each box, with the program and the state that are set.
-void drawQueries(std::span<const EyeBox> boxes, std::span<const unsigned> queries, const View& view) {
+/// One query for each box or group of boxes, with the program and the state that are set.
+void drawQueries(std::span<const EyeBox> boxes, std::span<const uint32_t> ends, std::span<const unsigned> queries,
+                 const View& view) {
     const BoxArray array(cornersOf(boxes));
     glUniformMatrix4fv(kClipFromPositions, 1, GL_FALSE, glm::value_ptr(Mat4f(view.clipFromEyeRelative())));
-    for (size_t box = 0; box < boxes.size(); ++box) {
-        glBeginQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, queries[box]);
-        glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(kTriangles.size()), GL_UNSIGNED_SHORT, nullptr,
-                                 static_cast<GLint>(box) * kCorners);
+    size_t box = 0;
+    for (size_t query = 0; query < queries.size(); ++query) {
+        const size_t end = ends.empty() ? box + 1 : ends[query];
+        glBeginQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, queries[query]);
+        for (; box < end; ++box)
+            glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(kTriangles.size()), GL_UNSIGNED_SHORT, nullptr,
+                                     static_cast<GLint>(box) * kCorners);
         glEndQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE);
     }
 }
 
 }  // namespace
 
-BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> boxes) {
-    auto ticket = std::make_shared<AskedTicket>(m_programs->boxQueries, boxes.size());
+BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> boxes, std::span<const uint32_t> ends) {
+    auto ticket = std::make_shared<AskedTicket>(m_programs->boxQueries, ends.empty() ? boxes.size() : ends.size());
     if (boxes.empty()) return ticket;
     const EmptyFramebuffer target(view.viewport());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_CLAMP);
     glUseProgram(m_programs->scene.depth.id());
-    drawQueries(boxes, ticket->queries(), view);
+    drawQueries(boxes, ends, ticket->queries(), view);
     glDisable(GL_DEPTH_CLAMP);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     return ticket;
 }
 
-BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn) {
-    auto ticket = std::make_shared<AskedTicket>(m_programs->boxQueries, boxes.size());
+BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
+                                    std::span<const uint32_t> ends) {
+    auto ticket = std::make_shared<AskedTicket>(m_programs->boxQueries, ends.empty() ? boxes.size() : ends.size());
     if (boxes.empty()) return ticket;
     const DrawingState state(view, drawn, Facing::TwoSided);
     glEnable(GL_DEPTH_CLAMP);
@@ -204,7 +209,7 @@ BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> bo
     glDepthMask(GL_FALSE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glUseProgram(m_programs->scene.depth.id());
-    drawQueries(boxes, ticket->queries(), view);
+    drawQueries(boxes, ends, ticket->queries(), view);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     return ticket;
 }
@@ -214,12 +219,13 @@ std::optional<std::vector<uint32_t>> Renderer::answer(BoxTicket& ticket) {
     return asked == nullptr ? std::nullopt : asked->answer(*m_programs->boxQueries);
 }
 
-std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes) {
-    return *answer(*askBoxes(view, boxes));
+std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, std::span<const uint32_t> ends) {
+    return *answer(*askBoxes(view, boxes, ends));
 }
 
-std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn) {
-    return *answer(*askBoxes(view, boxes, drawn));
+std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
+                                           std::span<const uint32_t> ends) {
+    return *answer(*askBoxes(view, boxes, drawn, ends));
 }
 
 }  // namespace cullscope

@@ -40,14 +40,15 @@ SelectedBoxes GpuFrame::answerSelection(std::span<const EyeBox> boxes, size_t bu
     return m_renderer.selectBoxes(view(), boxes, bufferWords);
 }
 
-std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question) {
-    if (question == BoxQuestion::DepthSoFar) return m_renderer.queryBoxes(view(), boxes, drawn());
-    return m_renderer.queryBoxes(view(), boxes);
+std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
+                                               BoxQuestion question) {
+    if (question == BoxQuestion::DepthSoFar) return m_renderer.queryBoxes(view(), boxes, drawn(), ends);
+    return m_renderer.queryBoxes(view(), boxes, ends);
 }
 
-BoxTicketPointer GpuFrame::putQuestion(std::span<const EyeBox> boxes, BoxQuestion question) {
-    if (question == BoxQuestion::DepthSoFar) return m_renderer.askBoxes(view(), boxes, drawn());
-    return m_renderer.askBoxes(view(), boxes);
+BoxTicketPointer GpuFrame::putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends, BoxQuestion question) {
+    if (question == BoxQuestion::DepthSoFar) return m_renderer.askBoxes(view(), boxes, drawn(), ends);
+    return m_renderer.askBoxes(view(), boxes, ends);
 }
 
 std::optional<std::vector<uint32_t>> GpuFrame::fetchAnswer(BoxTicket& ticket) { return m_renderer.answer(ticket); }

@@ -20,8 +20,10 @@ protected:
     void executeChoice(const GpuChoice& choice, size_t command) override;
     void readBack(FrameLog& log) override;
     [[nodiscard]] SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords) override;
-    [[nodiscard]] std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
-    [[nodiscard]] BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
+    [[nodiscard]] std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
+                                                       BoxQuestion question) override;
+    [[nodiscard]] BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
+                                               BoxQuestion question) override;
     [[nodiscard]] std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket) override;
     [[nodiscard]] std::vector<uint32_t> findVisible() override;
 

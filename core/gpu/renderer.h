@@ -147,13 +147,17 @@ public:
     /// The boxes, relative to the eye, that cover a sample of the picture, as indices into the span, ascending: one occlusion
     /// query for each (GL_ANY_SAMPLES_PASSED_CONSERVATIVE), without depth test, both sides, depth clamped instead of clipped.
     /// Waits for the results. A box that contains the whole frustum covers no sample, nor does one behind the eye; one beyond the
-    /// near or far plane does.
-    [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes);
+    /// near or far plane does. With `ends` one query for each group of consecutive boxes, of which group g ends before box
+    /// ends[g], and the numbers of the groups of which a box covers a sample.
+    [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes,
+                                                   std::span<const uint32_t> ends = {});
     /// The boxes that cover a sample at which they lie before, or at, what was drawn into `drawn`, whose depth does not change.
-    [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn);
+    [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
+                                                   std::span<const uint32_t> ends = {});
     /// Both without waiting for the results.
-    [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes);
-    [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn);
+    [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes, std::span<const uint32_t> ends = {});
+    [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
+                                            std::span<const uint32_t> ends = {});
     /// Those results, the same at every call; waits at the first one where they are not there yet. None for a ticket of another
     /// renderer.
     [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);

@@ -12,6 +12,7 @@
 #include "core/visibility/frustum/frustum_octree.h"
 #include "core/visibility/occlusion/buffer_occlusion.h"
 #include "core/visibility/occlusion/clusters.h"
+#include "core/visibility/occlusion/occlusion_chc.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/small_feature/level_of_detail.h"
@@ -44,6 +45,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         occlusion::occlusionDepth(),
         occlusion::occlusionMasked(),
         occlusion::octreeQuery(),
+        occlusion::occlusionChc(),
         occlusion::clusters(),
         ordering::painter(),
         ordering::bsp(),

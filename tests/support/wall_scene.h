@@ -22,6 +22,18 @@ inline ScenePointer wallBeforeSpheres() {
     return sceneOf(std::move(meshes), places);
 }
 
+/// A wall at distance 3 that fills the left half of the view, and boxes behind and beside it.
+inline ScenePointer boxesBehindHalfAWall() {
+    std::vector<MeshPointer> meshes{meshOf({{-9, -9, -3}, {0, -9, -3}, {0, 9, -3}, {-9, 9, -3}}, {0, 1, 2, 0, 2, 3})};
+    std::vector<Mat4> places{Mat4(1.0)};
+    const MeshPointer box = boxMesh(Vec3f(-0.1f), Vec3f(0.1f));
+    for (int i = 0; i < 400; ++i) {
+        meshes.push_back(box);
+        places.push_back(translation({i % 20 - 9.5, i / 20 - 9.5, -11.0 - 0.01 * i}));
+    }
+    return sceneOf(std::move(meshes), places);
+}
+
 /// The instances that a frame draws.
 inline std::set<uint32_t> drawn(const Culled& frame) {
     std::set<uint32_t> instances;

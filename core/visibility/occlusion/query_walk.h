@@ -26,7 +26,6 @@ struct QueryOptions {
 };
 
 struct QueryCounters {
-    uint64_t visited = 0;  ///< nodes
     uint64_t asked = 0;    ///< boxes
     uint64_t hidden = 0;   ///< nodes that were left out by an answer
     uint64_t batches = 0;  ///< of boxes, each of which is waited for at latency 0

@@ -1,4 +1,5 @@
 #include "core/base/message.h"
+#include "core/visibility/facing.h"
 #include "core/visibility/software/raster_strategy.h"
 #include "core/visibility/software/software_raster.h"
 

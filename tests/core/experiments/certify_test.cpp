@@ -62,8 +62,8 @@ private:
 };
 
 TEST_F(Certify, losslessStrategiesLoseNothing) {
-    for (const char* text :
-         {"frustum", "frustum-octree", "spherical-lossless", "occlusion-depth", "occlusion-masked", "octree-query", "oracle"}) {
+    for (const char* text : {"frustum", "frustum-octree", "spherical-lossless", "occlusion-depth", "occlusion-masked",
+                             "octree-query", "occlusion-chc", "oracle"}) {
         CertifyRequest request{strategyFromText(text)};
         request.seed = 5;
         uint64_t promised = 0, covered = 0;

@@ -81,6 +81,63 @@ TEST(BoxQueries, answerAskedForLaterIsThatOfTheFrameThatAsked) {
     EXPECT_THAT(*renderer.answer(*before), ElementsAre(1)) << "at every call the same";
 }
 
+TEST(BoxQueries, groupIsHitWhereOneOfItsBoxesIs) {
+    // A wall at distance 3 hides the first box; the second stands before it, the third beside the view.
+    const ScenePointer scene = sceneOf({squareMesh(20, -3)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Renderer& renderer = GlEnvironment::renderer();
+    Framebuffer target(standardView().viewport());
+    renderer.draw(buffers, standardView(), everything(*scene, Facing::TwoSided), target);
+    const EyeBox behind = box({-1, -1, -6}, {1, 1, -4}), before = box({-1, -1, -2.5}, {1, 1, -2}),
+                 beside = box({7, -1, -6}, {9, 1, -4});
+    const std::vector<EyeBox> boxes{behind, beside, behind, before, before, beside, behind};
+    const std::vector<uint32_t> ends{2, 4, 5, 6, 7};
+    EXPECT_THAT(renderer.queryBoxes(standardView(), boxes, target, ends), ElementsAre(1, 2));
+    EXPECT_THAT(renderer.queryBoxes(standardView(), boxes, ends), ElementsAre(0, 1, 2, 4)) << "without depth";
+    const BoxTicketPointer ticket = renderer.askBoxes(standardView(), boxes, target, ends);
+    renderer.clear(standardView(), target, {});
+    EXPECT_THAT(*renderer.answer(*ticket), ElementsAre(1, 2));
+}
+
+TEST(BoxQueries, groupsAnswerAsTheirBoxesDoOneByOne) {
+    for (uint64_t seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        std::vector<EyeBox> boxes;
+        std::vector<uint32_t> ends;
+        for (size_t group = 0; group < 12; ++group) {
+            for (int i = 0; i <= int(random.between(0, 5)); ++i)
+                boxes.push_back(
+                    {{random.between(-12, 12), random.between(-12, 12), random.between(-14, 2)}, Vec3(random.between(0.0, 1.0))});
+            ends.push_back(uint32_t(boxes.size()));
+        }
+        std::vector<uint32_t> expected;
+        for (const uint32_t hit : GlEnvironment::renderer().queryBoxes(standardView(), boxes)) {
+            const auto group = uint32_t(std::ranges::upper_bound(ends, hit) - ends.begin());
+            if (expected.empty() || expected.back() != group) expected.push_back(group);
+        }
+        EXPECT_EQ(GlEnvironment::renderer().queryBoxes(standardView(), boxes, ends), expected) << "seed " << seed;
+    }
+}
+
+TEST(BoxQueries, frameLogsGroupsAndRefusesThoseThatDoNotHoldEachBoxOnce) {
+    const ScenePointer scene = sceneOf({squareMesh(20, -3)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const std::vector<EyeBox> boxes(3, box({-1, -1, -6}, {1, 1, -4}));
+    const View view = standardView();
+    GpuFrame frame(GlEnvironment::renderer(), buffers, view);
+    EXPECT_THAT(frame.visibleBoxes(boxes, BoxQuestion::DepthSoFar, {1, 3}), ElementsAre(0, 1));
+    const BoxTicketPointer ticket = frame.ask(boxes, BoxQuestion::DepthSoFar, {3});
+    EXPECT_THAT(*frame.answer(*ticket), ElementsAre(0)) << "in the frame that asked";
+    for (const std::vector<uint32_t>& ends : {std::vector<uint32_t>{0, 3}, {2, 2, 3}, {3, 2}, {2}, {4}}) {
+        EXPECT_THROW((void)frame.visibleBoxes(boxes, BoxQuestion::DepthSoFar, ends), Error);
+        EXPECT_THROW((void)frame.ask(boxes, BoxQuestion::Samples, ends), Error);
+    }
+    const FrameLog log = frame.take();
+    ASSERT_EQ(log.commands.size(), 2u);
+    EXPECT_THAT(std::get<AskedBoxes>(log.commands[0]).ends, ElementsAre(1, 3));
+    EXPECT_THAT(std::get<AskedBoxes>(log.commands[1]).ends, ElementsAre(3));
+}
+
 TEST(BoxQueries, ticketsOfAnotherRendererAreNotAnswered) {
     BoxTicketPointer kept;
     {

@@ -8,6 +8,7 @@
 #include "core/mesh/parametric.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/layers_scene.h"
+#include "tests/core/measure/crowd.h"
 #include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"
@@ -33,6 +34,9 @@ const std::vector<Method> kConservative{{"octree-query", {}},
                                         {"octree-query", {{"batch", "1"}}},
                                         {"octree-query", {{"ask", "leaves"}, {"leaf", "3"}}},
                                         {"octree-query", {{"facing", "two-sided"}}},
+                                        {"occlusion-chc", {}},
+                                        {"occlusion-chc", {{"batch", "1"}, {"together", "1"}, {"retest", "1"}, {"depth", "0"}}},
+                                        {"occlusion-chc", {{"leaf", "3"}, {"area", "3"}, {"facing", "two-sided"}}},
                                         {"occlusion-depth", {{"pixels", "1"}}},
                                         {"occlusion-depth", {{"facing", "two-sided"}}},
                                         {"occlusion-masked", {}},
@@ -83,39 +87,6 @@ private:
     SceneBuffers m_buffers;
     std::vector<CullerPointer> m_cullers;
 };
-
-/// Objects of many sizes and directions, some large and thin, close to each other so that many hide others.
-ScenePointer crowd(uint64_t seed) {
-    Random random(seed);
-    std::vector<MeshPointer> meshes;
-    std::vector<Mat4> places;
-    const int count = 20 + int(random.between(0, 60));
-    for (int i = 0; i < count; ++i) {
-        switch (int(random.between(0, 4))) {
-            case 0:
-                meshes.push_back(squareMesh(1, 0));
-                break;
-            case 1:
-                meshes.push_back(sphereMesh(80));
-                break;
-            case 2:
-                meshes.push_back(starMesh(uint64_t(i), 200));
-                break;
-            default:
-                meshes.push_back(boxMesh(Vec3f(-1), Vec3f(1)));
-        }
-        const Vec3 axis = random.direction(), other = glm::normalize(glm::cross(axis, random.direction()));
-        Mat4 turn(1.0);
-        turn[0] = Vec4(axis, 0);
-        turn[1] = Vec4(other, 0);
-        turn[2] = Vec4(glm::cross(axis, other), 0);
-        const Vec3 size(std::pow(10.0, random.between(-1.5, 0.7)), std::pow(10.0, random.between(-1.5, 0.7)),
-                        std::pow(10.0, random.between(-2.0, 0.5)));
-        const Vec3 at(random.between(-5, 5), random.between(-5, 5), random.between(-5, 5));
-        places.push_back(translation(at) * turn * scaling(size));
-    }
-    return sceneOf(std::move(meshes), places);
-}
 
 /// From within the crowd or from outside; near planes that cut boxes, far planes within boxes; any size down to one pixel.
 View viewOf(Random& random) {
@@ -221,11 +192,13 @@ TEST(OcclusionPicture, case24TurningExposesAStripWhereAnswersAreLateAndNoneWhere
         meshes.push_back(boxMesh({-1, -2 + 0.6f * float(i), -8}, {9 + float(i), -1.7f + 0.6f * float(i), -7}));
     const ScenePointer scene = sceneOf(std::move(meshes));
     uint64_t covered = 0;
-    for (const char* id : {"octree-query", "occlusion-depth", "occlusion-masked", "clusters"}) {
+    for (const char* id : {"octree-query", "occlusion-chc", "occlusion-depth", "occlusion-masked", "clusters"}) {
         covered = 0;
         EXPECT_EQ(missedByTurning(scene, id, {}, covered), 0u) << id;
         EXPECT_GT(covered, 20'000u);
     }
+    covered = 0;
+    EXPECT_GT(missedByTurning(scene, "occlusion-chc", {{"latency", "1"}}, covered), 0u);
     covered = 0;
     const uint64_t one = missedByTurning(scene, "octree-query", {{"latency", "1"}}, covered),
                    two = missedByTurning(scene, "octree-query", {{"latency", "2"}}, covered);

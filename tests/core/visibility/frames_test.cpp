@@ -48,6 +48,7 @@ void expectSame(const Command& a, const Command& b) {
         EXPECT_EQ(asked->question, std::get<AskedBoxes>(b).question);
         EXPECT_EQ(asked->boxes.size(), std::get<AskedBoxes>(b).boxes.size());
         EXPECT_EQ(asked->hits, std::get<AskedBoxes>(b).hits);
+        EXPECT_EQ(asked->ends, std::get<AskedBoxes>(b).ends);
     } else if (const auto* shown = std::get_if<FinishedPicturePointer>(&a)) {
         EXPECT_EQ((*shown)->triangle, std::get<FinishedPicturePointer>(b)->triangle);
         EXPECT_EQ((*shown)->depth, std::get<FinishedPicturePointer>(b)->depth);

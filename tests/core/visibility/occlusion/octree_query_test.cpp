@@ -9,7 +9,6 @@
 #include "core/scene/layers_scene.h"
 #include "core/visibility/why.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/stopped_work.h"
 #include "tests/support/wall_scene.h"
 
 namespace cullscope::test::octree_query_test {
@@ -121,83 +120,6 @@ TEST(OctreeQuery, answersAreUsedSoManyFramesLater) {
     }
 }
 
-TEST(OctreeQuery, copiesOfAMemoryDecideTheSame) {
-    const ScenePointer scene = wallBeforeSpheres();
-    const SceneBuffers buffers(scene, Upload::Vbo);
-    const CullerPointer culler = octreeQuery({{"latency", "1"}});
-    culler->build(*scene);
-    (void)frameOf(*culler, standardView());
-    std::vector<uint64_t> counts;
-    const View view = standardView();
-    for (int i = 0; i < 3; ++i) {
-        const ViewStatePointer copy = culler->state().clone();
-        GpuFrame frame(GlEnvironment::renderer(), buffers, view);
-        culler->built()->draw(frame, *copy);
-        counts.push_back(frame.take().consideredTriangles());
-    }
-    EXPECT_EQ(counts, std::vector<uint64_t>(3, counts[0]));
-    EXPECT_LT(counts[0], scene->triangleCount() / 2);
-}
-
-TEST(OctreeQuery, answersOfAnotherRendererThatIsGoneCountAsVisible) {
-    const ScenePointer scene = wallBeforeSpheres();
-    const CullerPointer culler = octreeQuery({{"latency", "1"}});
-    culler->build(*scene);
-    {
-        Renderer other;
-        (void)culler->cull(standardView(), &other);
-        EXPECT_GT(culler->cull(standardView(), &other).culledTriangles[size_t(Cause::Hidden)], 0u);
-    }
-    EXPECT_EQ(frameOf(*culler, standardView()).culledTriangles[size_t(Cause::Hidden)], 0u);
-}
-
-TEST(OctreeQuery, needsOpenGl) {
-    const ScenePointer scene = wallBeforeSpheres();
-    for (const char* latency : {"0", "1"}) {
-        const CullerPointer culler = octreeQuery({{"latency", latency}});
-        culler->build(*scene);
-        EXPECT_THROW((void)culler->cull(standardView()), Error);
-    }
-}
-
-TEST(OctreeQuery, decisionsNestAndNameEveryObjectOnce) {
-    const ScenePointer scene = wallBeforeSpheres();
-    for (const char* leaf : {"1", "3"})
-        for (const char* batch : {"1", "3", "64"})
-            for (const char* latency : {"0", "1"}) {
-                SCOPED_TRACE(std::string(leaf) + " " + batch + " " + latency);
-                const InstanceOctree octree(*scene, uint32_t(std::stoi(leaf)));
-                const CullerPointer culler = octreeQuery({{"batch", batch}, {"latency", latency}, {"leaf", leaf}});
-                culler->build(*scene);
-                (void)frameOf(*culler, standardView());
-                const Culled frame = frameOf(*culler, standardView());
-                const size_t lines = culler->built()->info().first(Show::Kind::Listing)->lines.size();
-                std::vector<int> ends(scene->instances().size(), 0);
-                for (const Decision& decision : frame.log.decisions) {
-                    ASSERT_TRUE(decision.line >= 1 && decision.line <= lines);
-                    const bool node = decision.subject.kind == Subject::Kind::Node;
-                    if (node) {
-                        EXPECT_EQ(decision.nesting, octree.nodes()[decision.subject.number].depth);
-                    }
-                    if (decision.outcome == Decision::Outcome::Open) continue;
-                    if (!node) ++ends[decision.subject.number];
-                    for (const uint32_t instance : frame.log.objectsOf(decision)) ++ends[instance];
-                }
-                EXPECT_THAT(ends, testing::Each(1));
-                // The listing of a triangle has what was said of all groups around its object.
-                for (uint32_t i = 0; i < scene->instances().size(); ++i) {
-                    std::vector<uint64_t> counts(lines, 0);
-                    for (const Decision& decision : frame.log.decisions) {
-                        const bool node = decision.subject.kind == Subject::Kind::Node;
-                        const auto objects = octree.instancesOf(octree.nodes()[node ? decision.subject.number : 0]);
-                        const bool about = node ? std::ranges::find(objects, i) != objects.end() : decision.subject.number == i;
-                        if (about) ++counts[decision.line - 1];
-                    }
-                    EXPECT_EQ(culler->built()->listing(frame.log, scene->firstTriangle(i))->decisions, counts) << i;
-                }
-            }
-}
-
 TEST(OctreeQuery, treeWhyAndCountsTellWhatIsHidden) {
     const ScenePointer scene = wallBeforeSpheres();
     const CullerPointer culler = octreeQuery({{"batch", "1"}});
@@ -230,50 +152,6 @@ TEST(OctreeQuery, treeWhyAndCountsTellWhatIsHidden) {
     EXPECT_TRUE(has(0, "is given to OpenGL"));
     EXPECT_FALSE(has(0, "edge of the frustum"));
     EXPECT_TRUE(has(1, "counts as visible")) << "the first one is not asked about";
-}
-
-/// A wall at distance 3 that fills the left half of the view, and boxes behind and beside it.
-ScenePointer boxesBehindHalfAWall() {
-    std::vector<MeshPointer> meshes{meshOf({{-9, -9, -3}, {0, -9, -3}, {0, 9, -3}, {-9, 9, -3}}, {0, 1, 2, 0, 2, 3})};
-    std::vector<Mat4> places{Mat4(1.0)};
-    const MeshPointer box = boxMesh(Vec3f(-0.1f), Vec3f(0.1f));
-    for (int i = 0; i < 400; ++i) {
-        meshes.push_back(box);
-        places.push_back(translation({i % 20 - 9.5, i / 20 - 9.5, -11.0 - 0.01 * i}));
-    }
-    return sceneOf(std::move(meshes), places);
-}
-
-TEST(OctreeQuery, stopsAtTheNextLookAndThenRemembersWhatItDidBefore) {
-    const ScenePointer scene = boxesBehindHalfAWall();
-    const SceneBuffers buffers(scene, Upload::Vbo);
-    for (const char* latency : {"0", "2"}) {
-        SCOPED_TRACE(latency);
-        const CullerPointer culler = octreeQuery({{"latency", latency}}), other = octreeQuery({{"latency", latency}});
-        for (Culler* one : {culler.get(), other.get()}) {
-            one->build(*scene);
-            for (int i = 0; i < 2; ++i) (void)frameOf(*one, standardView(), Recording::Off);
-        }
-        for (const uint64_t steps : {1, 5'000, 10'000}) {
-            const StoppedWork stopped = stoppedAfter(steps, [&](const Progress& progress) {
-                const View view = standardView();
-                GpuFrame frame(GlEnvironment::renderer(), buffers, view);
-                frame.stopBy(progress.stop);
-                culler->built()->draw(frame, culler->state());
-            });
-            EXPECT_TRUE(stopped.interrupted) << steps;
-            EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
-        }
-        // The frames that were stopped asked questions; no later frame takes their answers for those of a whole one.
-        const WatchedWork watched;
-        const Culled frame = frameOf(*culler, standardView(), Recording::Off);
-        EXPECT_GE(double(watched.steps() + WorkCheck::kBetween), 64.0 * figure(frame, "queries")) << "a question takes long";
-        const Culled expected = frameOf(*other, standardView(), Recording::Off);
-        EXPECT_EQ(drawn(frame), drawn(expected));
-        EXPECT_GT(frame.culledTriangles[size_t(Cause::Hidden)], 0u);
-        EXPECT_EQ(frame.culledTriangles, expected.culledTriangles);
-        EXPECT_EQ(figure(frame, "queries"), figure(expected, "queries"));
-    }
 }
 
 TEST(OctreeQuery, leavesCanBeAskedForInASmallScene) {
