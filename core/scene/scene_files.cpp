@@ -2,6 +2,7 @@
 
 #include "core/mesh/load.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/quake/quake_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
 
 namespace cullscope {
@@ -9,7 +10,7 @@ namespace cullscope {
 const std::vector<std::string>& readableSceneExtensions() {
     static const std::vector<std::string> extensions = [] {
         std::vector<std::string> all = readableMeshExtensions();
-        all.insert(all.end(), {kPolygonExtension, kRvmExtension});
+        all.insert(all.end(), {kPolygonExtension, kRvmExtension, kQuakeExtension});
         return all;
     }();
     return extensions;

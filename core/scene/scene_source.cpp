@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/scene/gallery/gallery.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/quake/quake_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
 #include "core/scene/scene_generators.h"
 
@@ -16,11 +17,15 @@ namespace cullscope {
 
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
     if (isPolygonFile(path)) {
-        PolygonScene read = readPolygonFile(path, options.load, progress);
+        FileScene read = readPolygonFile(path, options.load, progress);
         return {std::move(read.scene), path.string(), std::move(read.report)};
     }
     if (isRvmFile(path)) {
-        RvmScene read = readRvmFile(path, options.load, progress);
+        FileScene read = readRvmFile(path, options.load, progress);
+        return {std::move(read.scene), path.string(), std::move(read.report)};
+    }
+    if (isQuakeFile(path)) {
+        FileScene read = readQuakeFile(path, options.load, progress);
         return {std::move(read.scene), path.string(), std::move(read.report)};
     }
     LoadedFile file = loadMeshFile(path, options.load, progress);

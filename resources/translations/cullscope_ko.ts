@@ -6953,6 +6953,58 @@
         <source>For each object, in every frame</source>
         <translation>매 프레임, 물체마다</translation>
     </message>
+    <message>
+        <source>%1, byte %2: the text of the level&apos;s entities cannot be read here. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 레벨의 엔티티 텍스트를 여기서 읽을 수 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level ends within a record. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 레벨의 배열이 레코드 중간에서 끝납니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 does not begin with IBSP, as levels of Quake 3 do. Levels of other games are not read: convert them to a mesh.</source>
+        <translation>%1 파일은 Quake 3 레벨처럼 IBSP로 시작하지 않습니다. 다른 게임의 레벨은 읽지 않으니 메시로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is a level of version %2; only version %3, that of Quake 3, is read. Convert it to a mesh.</source>
+        <translation>%1 파일은 버전 %2의 레벨입니다. Quake 3의 버전 %3만 읽습니다. 메시로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level is to end at byte %3, after the end of the file. The file was cut off or changed: fetch it again.</source>
+        <translation>%1, 바이트 %2: 레벨의 배열이 파일 끝을 지난 바이트 %3에서 끝난다고 되어 있습니다. 파일이 잘렸거나 변경되었으니 다시 받으십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no surface of kind %3. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 종류 %3의 표면은 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a patch has %3 control points; the sides are odd numbers from 3 on, and their product is the number of vertices. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 패치의 제어점이 %3개입니다. 각 변은 3 이상의 홀수이고 그 곱이 정점 수여야 합니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the node %3 of the BSP tree has two parents. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: BSP 트리의 노드 %3에 부모가 둘 있습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file has no room for which of %3 clusters see which. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 클러스터 %3개의 상호 가시성을 담을 자리가 파일에 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>Surfaces left out that the game does not draw, or draws as sky: %1.</source>
+        <translation>게임이 그리지 않거나 하늘로 그려서 제외한 표면: %1개.</translation>
+    </message>
+    <message>
+        <source>Billboards left out, which have no place of their own: %1.</source>
+        <translation>고유한 위치가 없어 제외한 빌보드: %1개.</translation>
+    </message>
+    <message>
+        <source>Surfaces left out of models that no entity places: %1.</source>
+        <translation>어떤 엔티티도 배치하지 않는 모델에서 제외한 표면: %1개.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record here names %3 items from number %4 on, but the file has %5 of them. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 여기 레코드는 %4번부터 항목 %3개를 가리키지만 파일에는 %5개가 있습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

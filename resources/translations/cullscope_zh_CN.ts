@@ -6953,6 +6953,58 @@
         <source>For each object, in every frame</source>
         <translation>每帧，对每个物体</translation>
     </message>
+    <message>
+        <source>%1, byte %2: the text of the level&apos;s entities cannot be read here. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：此处无法读取关卡的实体文本。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level ends within a record. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：关卡的一个数组在记录中间结束。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1 does not begin with IBSP, as levels of Quake 3 do. Levels of other games are not read: convert them to a mesh.</source>
+        <translation>%1 不像 Quake 3 关卡那样以 IBSP 开头。不读取其他游戏的关卡：请将其转换为网格。</translation>
+    </message>
+    <message>
+        <source>%1 is a level of version %2; only version %3, that of Quake 3, is read. Convert it to a mesh.</source>
+        <translation>%1 是版本 %2 的关卡；只读取 Quake 3 的版本 %3。请将其转换为网格。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level is to end at byte %3, after the end of the file. The file was cut off or changed: fetch it again.</source>
+        <translation>%1，字节 %2：关卡的一个数组应在字节 %3 处结束，超出了文件末尾。文件被截断或更改：请重新获取。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no surface of kind %3. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：不存在种类为 %3 的表面。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a patch has %3 control points; the sides are odd numbers from 3 on, and their product is the number of vertices. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：曲面片有 %3 个控制点；每边应为不小于 3 的奇数，其乘积应等于顶点数。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the node %3 of the BSP tree has two parents. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：BSP 树的节点 %3 有两个父节点。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file has no room for which of %3 clusters see which. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：文件没有足够空间存放 %3 个簇之间的可见性。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>Surfaces left out that the game does not draw, or draws as sky: %1.</source>
+        <translation>省略的表面（游戏不绘制，或绘制为天空）：%1。</translation>
+    </message>
+    <message>
+        <source>Billboards left out, which have no place of their own: %1.</source>
+        <translation>省略的公告板（没有固定的位置）：%1。</translation>
+    </message>
+    <message>
+        <source>Surfaces left out of models that no entity places: %1.</source>
+        <translation>省略的表面（其模型没有实体放置）：%1。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record here names %3 items from number %4 on, but the file has %5 of them. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：此处的记录引用从编号 %4 起的 %3 项，但文件中只有 %5 项。请重新获取或编译该关卡。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -20,6 +20,7 @@ const std::vector<Target>& targets() {
                                               {"picture_metadata", picture_metadata},
                                               {"ply", ply},
                                               {"polygons", polygons},
+                                              {"quake_level", quake_level},
                                               {"resampling", resampling},
                                               {"result_store", result_store},
                                               {"rvm", rvm},

@@ -27,6 +27,7 @@ void packed(std::string_view input);            ///< gzip and xz
 void picture_metadata(std::string_view input);  ///< the first byte says which format
 void ply(std::string_view input);
 void polygons(std::string_view input);
+void quake_level(std::string_view input);
 void result_store(std::string_view input);
 void rvm(std::string_view input);
 void session(std::string_view input);
