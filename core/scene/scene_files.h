@@ -14,7 +14,8 @@ struct FileScene {
     LoadReport report;
 };
 
-/// Extensions of all files that openScene (scene_source.h) reads, lower case without a dot: meshes, polygons, plants, levels.
+/// Extensions of all files that openScene (scene_source.h) reads, lower case without a dot: meshes, polygons, plants, levels,
+/// glTF.
 [[nodiscard]] const std::vector<std::string>& readableSceneExtensions();
 
 }  // namespace cullscope

@@ -8,6 +8,7 @@ const std::vector<Target>& targets() {
                                               {"certificate", certificate},
                                               {"drawn_sets", drawn_sets},
                                               {"generator", generator},
+                                              {"gltf", gltf},
                                               {"hidden_objects", hidden_objects},
                                               {"inner_kernel", inner_kernel},
                                               {"lesson", lesson},

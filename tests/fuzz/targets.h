@@ -19,6 +19,7 @@ struct Target {
 void camera_path(std::string_view input);
 void certificate(std::string_view input);
 void drawn_sets(std::string_view input);
+void gltf(std::string_view input);  ///< text and binary
 void lesson(std::string_view input);
 void obj(std::string_view input);
 void off(std::string_view input);
