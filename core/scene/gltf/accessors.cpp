@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "core/mesh/steps.h"
 #include "core/scene/gltf/tiny_gltf.h"
 
 namespace cullscope::gltf {
@@ -122,7 +123,9 @@ void Accessors::visit(int accessor, size_t bytes, Put&& put) const {
     const tinygltf::Accessor& found = accessorAt(accessor);
     if (found.bufferView >= 0) {
         const Elements all = ownElements(accessor, bytes);
-        for (size_t i = 0; i < found.count; ++i) put(i, all.at(i));
+        inSteps(found.count, m_progress, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) put(i, all.at(i));
+        });
     }
     if (!found.sparse.isSparse) return;
     const auto& sparse = found.sparse;
@@ -135,6 +138,7 @@ void Accessors::visit(int accessor, size_t bytes, Put&& put) const {
     const Elements places =
         elements(accessor, sparse.indices.bufferView, size_t(sparse.indices.byteOffset), count, bytesOfNumber(kind), 0);
     const Elements values = elements(accessor, sparse.values.bufferView, size_t(sparse.values.byteOffset), count, bytes, 0);
+    m_progress.check();
     for (size_t i = 0; i < count; ++i) {
         const uint32_t place = wholeAt(places.at(i), kind);
         if (place >= found.count)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/message.h"
+#include "core/base/progress.h"
 #include "core/scene/gltf/container.h"
 
 namespace tinygltf {
@@ -20,8 +20,8 @@ namespace cullscope::gltf {
 /// number. `requireMemory` is asked before an array is made.
 class Accessors {
 public:
-    Accessors(const tinygltf::Model& model, std::string fileName, const RequireMemory& requireMemory)
-        : m_model(model), m_fileName(std::move(fileName)), m_requireMemory(requireMemory) {}
+    Accessors(const tinygltf::Model& model, std::string fileName, const RequireMemory& requireMemory, const Progress& progress)
+        : m_model(model), m_fileName(std::move(fileName)), m_requireMemory(requireMemory), m_progress(progress) {}
 
     /// Numbers of elements with `components` each (1 to 4), one element after the other, as floats.
     [[nodiscard]] std::vector<float> numbers(int accessor, size_t components) const;
@@ -53,6 +53,7 @@ private:
     const tinygltf::Model& m_model;
     std::string m_fileName;
     const RequireMemory& m_requireMemory;
+    const Progress& m_progress;
 };
 
 }  // namespace cullscope::gltf

@@ -25,7 +25,7 @@ public:
           m_fileName(std::move(fileName)),
           m_requireMemory(requireMemory),
           m_progress(progress),
-          m_accessors(model, m_fileName, requireMemory),
+          m_accessors(model, m_fileName, requireMemory, progress),
           m_numbers(model.meshes.size(), kNotMade) {}
 
     void build() {
@@ -63,7 +63,7 @@ private:
 
     uint32_t made(int mesh) {
         const tinygltf::Mesh& read = m_model.meshes[size_t(mesh)];
-        RawMesh raw = trianglesOf(read, m_accessors, m_fileName, m_requireMemory, m_leftOut);
+        RawMesh raw = trianglesOf(read, m_accessors, m_fileName, m_requireMemory, m_progress, m_leftOut);
         raw.name = read.name.empty() ? "mesh " + std::to_string(mesh) : read.name;
         m_assembler.report.facesRead += raw.triangles.size() / 3;
         for (const tinygltf::Primitive& primitive : read.primitives) m_morphed += primitive.targets.empty() ? 0 : 1;

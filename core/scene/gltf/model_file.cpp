@@ -134,12 +134,13 @@ ModelFile readModel(const fs::path& path, const RequireMemory& requireMemory, ui
     } catch (const std::exception& failure) {
         error = failure.what();
     }
-    if (!read)
-        throwInput(CULLSCOPE_TR("%1 cannot be read as glTF 2.0: %2. Export the file again."), {source.name(), oneLine(error)});
+    // The extensions come first: without one of them nothing else may be in its place.
     for (const std::string& extension : model->extensionsRequired)
         if (!isKnown(extension))
             throwInput(CULLSCOPE_TR("%1 requires the extension \"%2\", which is not read. Export the file without it."),
                        {source.name(), terminalLine(extension)});
+    if (!read)
+        throwInput(CULLSCOPE_TR("%1 cannot be read as glTF 2.0: %2. Export the file again."), {source.name(), oneLine(error)});
     ModelFile file{nullptr, 0};
     for (const tinygltf::Buffer& buffer : model->buffers) file.bytes += buffer.data.size();
     file.model = std::move(model);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/mesh/steps.h"
 #include "core/scene/gltf/draco_mesh.h"
 #include "core/scene/gltf/tiny_gltf.h"
 
@@ -20,8 +21,13 @@ std::optional<int> wholeOf(const tinygltf::Value& object, const std::string& key
 
 class MeshBuilder {
 public:
-    MeshBuilder(const Accessors& accessors, const std::string& fileName, const RequireMemory& requireMemory, LeftOut& leftOut)
-        : m_accessors(accessors), m_fileName(fileName), m_requireMemory(requireMemory), m_leftOut(leftOut) {}
+    MeshBuilder(const Accessors& accessors, const std::string& fileName, const RequireMemory& requireMemory,
+                const Progress& progress, LeftOut& leftOut)
+        : m_accessors(accessors),
+          m_fileName(fileName),
+          m_requireMemory(requireMemory),
+          m_progress(progress),
+          m_leftOut(leftOut) {}
 
     void add(const tinygltf::Primitive& primitive) {
         if (primitive.mode < TINYGLTF_MODE_TRIANGLES) {
@@ -118,24 +124,27 @@ private:
         const bool isList = mode == TINYGLTF_MODE_TRIANGLES;
         const size_t triangles = isList ? count / 3 : count < 3 ? 0 : count - 2;
         requireRoom(0, 3 * triangles);
-        for (size_t i = 0; i < triangles; ++i) {
-            const size_t first = isList ? 3 * i : i;
-            const bool isTurned = mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1;
-            if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
-                corner(i + 1);
-                corner(i + 2);
-                corner(0);
-            } else {
-                corner(first);
-                corner(first + (isTurned ? 2 : 1));
-                corner(first + (isTurned ? 1 : 2));
+        inSteps(triangles, m_progress, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                const size_t first = isList ? 3 * i : i;
+                const bool isTurned = mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1;
+                if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+                    corner(i + 1);
+                    corner(i + 2);
+                    corner(0);
+                } else {
+                    corner(first);
+                    corner(first + (isTurned ? 2 : 1));
+                    corner(first + (isTurned ? 1 : 2));
+                }
             }
-        }
+        });
     }
 
     const Accessors& m_accessors;
     const std::string& m_fileName;
     const RequireMemory& m_requireMemory;
+    const Progress& m_progress;
     LeftOut& m_leftOut;
     RawMesh m_mesh;
     bool m_anyNormal = false;
@@ -145,8 +154,8 @@ private:
 }  // namespace
 
 RawMesh trianglesOf(const tinygltf::Mesh& mesh, const Accessors& accessors, const std::string& fileName,
-                    const RequireMemory& requireMemory, LeftOut& leftOut) {
-    MeshBuilder builder(accessors, fileName, requireMemory, leftOut);
+                    const RequireMemory& requireMemory, const Progress& progress, LeftOut& leftOut) {
+    MeshBuilder builder(accessors, fileName, requireMemory, progress, leftOut);
     for (const tinygltf::Primitive& primitive : mesh.primitives) builder.add(primitive);
     RawMesh made = builder.finish();
     leftOut.nonFiniteVertices += builder.nonFinite;

@@ -23,6 +23,6 @@ struct LeftOut {
 /// Primitives that share their positions and normals share the vertices. A corner that names no vertex is kNoVertex. Throws
 /// Error(Input) as Accessors do.
 [[nodiscard]] RawMesh trianglesOf(const tinygltf::Mesh& mesh, const Accessors& accessors, const std::string& fileName,
-                                  const RequireMemory& requireMemory, LeftOut& leftOut);
+                                  const RequireMemory& requireMemory, const Progress& progress, LeftOut& leftOut);
 
 }  // namespace cullscope::gltf

@@ -7,6 +7,7 @@
 #include "tests/support/changed_files.h"
 #include "tests/support/gltf_model.h"
 #include "tests/support/mesh_files.h"
+#include "tests/support/packed_bytes.h"
 #include "tests/support/refusal.h"
 
 namespace cullscope::test::gltf_scene_test {
@@ -76,6 +77,7 @@ TEST_F(Gltf, buffersLieInTheFileInDataUrisAndBesideIt) {
     (void)write("the buffer.bin", model.binary);
     EXPECT_EQ(readGltfFile(write("a.gltf", model.text("the%20buffer.bin"))).scene->sha256(), sha);
     EXPECT_EQ(openScene(write("A.GLB", model.glb()).string()).scene->sha256(), sha);
+    EXPECT_EQ(openScene(write("a.glb.xz", xzPacked(model.glb())).string()).scene->sha256(), sha);
 }
 
 TEST_F(Gltf, buffersOutsideOfTheFolderAreRefused) {
@@ -174,6 +176,9 @@ TEST_F(Gltf, malformedScenesAreRefused) {
     EXPECT_THAT(refused(with("/scenes/0/nodes", json::array())), HasSubstr("holds no faces"));
     EXPECT_THAT(refused(with("/extensionsRequired", json::array({"EXT_meshopt_compression"}))),
                 HasSubstr("requires the extension \"EXT_meshopt_compression\", which is not read"));
+    GltfModel compressed = with("/extensionsRequired", json::array({"EXT_meshopt_compression"}));
+    compressed.json["bufferViews"][0]["byteStride"] = 3;
+    EXPECT_THAT(refused(compressed), HasSubstr("\"EXT_meshopt_compression\"")) << "whatever else is wrong then";
     EXPECT_EQ(refused(with("/extensionsRequired", json::array({"KHR_materials_unlit", "KHR_texture_transform"}))), "");
     EXPECT_THAT(remarksOf(read(with("/nodes/1/translation", json::array({1e31, 0, 0}))).report),
                 testing::Contains("Objects left out that lie beyond 1e30: 1."));
