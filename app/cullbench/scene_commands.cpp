@@ -80,6 +80,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                      {{"name", scene.name()},
                                       {"triangles", scene.triangleCount()},
                                       {"instances", scene.instances().size()},
+                                      {"meshes", scene.meshes().size()},
                                       {"bytes", scene.bytes()}}},
                                     {"strategy", request.id},
                                     {"promise", promiseId(strategy->promise())},
@@ -100,6 +101,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
     if (options.json == "-") return;
     say("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
         scene.bytes());
+    if (scene.meshes().size() < scene.instances().size()) say("  meshes that they share: {}\n", scene.meshes().size());
     const std::map<std::string, uint64_t> kinds = scene.partCounts();
     for (const auto& [kind, count] : kinds) say("  {} of kind {}\n", count, kind);
     if (!kinds.empty()) say("  {} primitives together\n", allOf(kinds));

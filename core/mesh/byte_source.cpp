@@ -134,6 +134,16 @@ bool ByteSource::line(std::string_view& text) {
     return true;
 }
 
+std::string ByteSource::rest() {
+    std::string bytes;
+    bytes.reserve(remaining());
+    while (const size_t got = peek(1).size()) {
+        bytes.append(m_buffer.data() + m_begin, got);
+        m_begin += got;
+    }
+    return bytes;
+}
+
 std::string ByteSource::sha256() {
     m_tells = false;
     do {

@@ -49,6 +49,9 @@ public:
     /// Reads the next line without its end (LF, CRLF, or CR where the file has no LF); false at the end of the file.
     [[nodiscard]] bool line(std::string_view& text);
 
+    /// The bytes from the current position to the end of the file, which the caller knows to fit into memory.
+    [[nodiscard]] std::string rest();
+
     /// Reads the rest of the file and returns the hash of the whole file; empty where no hash was requested.
     [[nodiscard]] std::string sha256();
 

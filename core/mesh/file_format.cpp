@@ -11,13 +11,6 @@
 namespace cullscope {
 namespace {
 
-std::string extensionOf(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    if (!extension.empty()) extension.erase(0, 1);
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
 void refuseWrapped(std::string_view start, const std::string& name) {
     if (packingOf(start) != Packing::None)
         throwInput(CULLSCOPE_TR("%1 is compressed twice. Unpack it once: xz -dk \"%1\" or gzip -dk \"%1\"."), {name});
@@ -61,6 +54,13 @@ bool beginsTextStl(std::string_view start) {
 
 }  // namespace
 
+std::string extensionOf(const std::filesystem::path& path) {
+    std::string extension = withoutPacking(path).extension().string();
+    if (!extension.empty()) extension.erase(0, 1);
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
 bool hasSizeOfBinaryStl(ByteSource& source) {
     const std::string_view start = source.peek(84);
     if (start.size() < 84 || source.position() != 0) return false;
@@ -75,7 +75,7 @@ void skipByteOrderMark(ByteSource& source) {
 }
 
 MeshFormat formatOf(const std::filesystem::path& path, ByteSource& source) {
-    const std::string extension = extensionOf(withoutPacking(path));
+    const std::string extension = extensionOf(path);
     if (!hasSizeOfBinaryStl(source)) skipByteOrderMark(source);
     const std::string_view start = source.peek(1024).substr(0, 1024);
     refuseWrapped(start, source.name());

@@ -8,6 +8,9 @@ namespace cullscope {
 
 enum class MeshFormat { Obj, Ply, Stl, Off, Om };
 
+/// Of a file's name: lower case without the dot, that of ".gz" or ".xz" set aside; "obj" of "A.OBJ.xz". Empty where it has none.
+[[nodiscard]] std::string extensionOf(const std::filesystem::path& path);
+
 /// Passes over the byte-order mark that some editors write before UTF-8 text, at the begin of a file.
 void skipByteOrderMark(ByteSource& source);
 

@@ -96,7 +96,7 @@ void MeshAssembler::requireMemory(uint64_t bytes) const {
         {m_fileName, std::to_string((needed >> 20) + 1), std::to_string(m_memoryLimit >> 20)});
 }
 
-void MeshAssembler::add(RawMesh raw, double from, double to) {
+bool MeshAssembler::add(RawMesh raw, double from, double to) {
     const Progress progress = m_progress.part(from, to);
     progress.check();
     progress.tell(0.0, CULLSCOPE_TR("Checking the mesh"));
@@ -110,7 +110,7 @@ void MeshAssembler::add(RawMesh raw, double from, double to) {
     dropUnusableFaces(raw, report, progress);
     if (analyse) dropDuplicateFaces(raw, report, progress);
     m_fannedPolygons += triangulatePolygons(raw, progress);
-    if (raw.triangles.empty()) return;
+    if (raw.triangles.empty()) return false;
     dropUnusedVertices(raw, progress);
 
     const Box3 bounds = raw.wide.empty() ? boundsOf(std::span<const Vec3f>(raw.narrow), progress)
@@ -140,6 +140,7 @@ void MeshAssembler::add(RawMesh raw, double from, double to) {
     auto mesh = std::make_shared<const TriangleMesh>(std::move(data));
     m_bytesMade += mesh->bytes();
     m_objects.push_back({std::move(raw.name), std::move(mesh)});
+    return true;
 }
 
 void MeshAssembler::nameUniquely(std::string& name) {

@@ -16,9 +16,9 @@ class MeshAssembler {
 public:
     MeshAssembler(std::string fileName, const LoadOptions& options, const Progress& progress);
 
-    /// Adds one object; an object without a usable face only adds to the counts of the report. `from` and `to`: this object's
-    /// part of the progress of all objects.
-    void add(RawMesh raw, double from = 0.0, double to = 1.0);
+    /// Adds one object; an object without a usable face only adds to the counts of the report. Returns whether it has one.
+    /// `from` and `to`: this object's part of the progress of all objects.
+    bool add(RawMesh raw, double from = 0.0, double to = 1.0);
     /// Throws Error(Input) when the file needs more memory than allowed: `bytes` in addition to the objects already made.
     void requireMemory(uint64_t bytes) const;
     /// Throws Error(Input) when the file has no triangle; else returns the objects, with distinct names.

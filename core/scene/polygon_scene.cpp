@@ -40,7 +40,7 @@ public:
                    shownWord(keyword));
     }
 
-    [[nodiscard]] PolygonScene finish(const std::string& sceneName) {
+    [[nodiscard]] FileScene finish(const std::string& sceneName) {
         if (m_polygonNames.empty())
             throwInput(CULLSCOPE_TR("%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0."),
                        {m_fileName});
@@ -161,13 +161,9 @@ private:
 
 }  // namespace
 
-bool isPolygonFile(const std::filesystem::path& path) {
-    std::string extension = withoutPacking(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == std::string(".") + kPolygonExtension;
-}
+bool isPolygonFile(const std::filesystem::path& path) { return extensionOf(path) == kPolygonExtension; }
 
-PolygonScene readPolygonFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
+FileScene readPolygonFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
     ByteSource source(path, progress, false, options.memoryLimitBytes);
     skipByteOrderMark(source);
     PolygonReader reader(source.name(), options, progress);
@@ -175,7 +171,7 @@ PolygonScene readPolygonFile(const std::filesystem::path& path, const LoadOption
     return reader.finish(path.filename().string());
 }
 
-PolygonScene readPolygonText(std::string_view text, const std::string& name, const Progress& progress) {
+FileScene readPolygonText(std::string_view text, const std::string& name, const Progress& progress) {
     PolygonReader reader(name, {}, progress);
     uint64_t number = 0;
     while (!text.empty()) {

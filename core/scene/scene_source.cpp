@@ -1,10 +1,13 @@
 #include "core/scene/scene_source.h"
 
+#include <array>
 #include <cstdlib>
 
 #include "core/base/error.h"
 #include "core/scene/gallery/gallery.h"
+#include "core/scene/gltf/gltf_scene.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/quake/quake_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
 #include "core/scene/scene_generators.h"
 
@@ -13,14 +16,26 @@
 #endif
 
 namespace cullscope {
+namespace {
+
+/// A format whose files say more than meshes do.
+struct SceneFormat {
+    bool (*isOf)(const std::filesystem::path& path);
+    FileScene (*read)(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress);
+};
+
+constexpr std::array kSceneFormats{
+    SceneFormat{isPolygonFile, readPolygonFile},
+    SceneFormat{isRvmFile, [](const std::filesystem::path& path, const LoadOptions& options,
+                              const Progress& progress) { return readRvmFile(path, options, progress); }},
+    SceneFormat{isQuakeFile, readQuakeFile}, SceneFormat{isGltfFile, readGltfFile}};
+
+}  // namespace
 
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
-    if (isPolygonFile(path)) {
-        PolygonScene read = readPolygonFile(path, options.load, progress);
-        return {std::move(read.scene), path.string(), std::move(read.report)};
-    }
-    if (isRvmFile(path)) {
-        RvmScene read = readRvmFile(path, options.load, progress);
+    for (const SceneFormat& format : kSceneFormats) {
+        if (!format.isOf(path)) continue;
+        FileScene read = format.read(path, options.load, progress);
         return {std::move(read.scene), path.string(), std::move(read.report)};
     }
     LoadedFile file = loadMeshFile(path, options.load, progress);

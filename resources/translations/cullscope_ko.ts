@@ -6950,6 +6950,7 @@
         <translation>매 프레임, 물체마다</translation>
     </message>
     <message>
+<<<<<<< HEAD
         <source>OpenGL is asked about boxes: %1; its answers come later</source>
         <translation>OpenGL에 묻는 상자: %1개, 답은 나중에 옵니다</translation>
     </message>
@@ -7072,6 +7073,202 @@
     <message>
         <source>How many times the surface of the group&apos;s own box these boxes have together, at most.</source>
         <translation>이 상자들의 겉넓이 합이 그룹 자신의 상자의 최대 몇 배인지.</translation>
+=======
+        <source>%1, byte %2: the text of the level&apos;s entities cannot be read here. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 레벨의 엔티티 텍스트를 여기서 읽을 수 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level ends within a record. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 레벨의 배열이 레코드 중간에서 끝납니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 does not begin with IBSP, as levels of Quake 3 do. Levels of other games are not read: convert them to a mesh.</source>
+        <translation>%1 파일은 Quake 3 레벨처럼 IBSP로 시작하지 않습니다. 다른 게임의 레벨은 읽지 않으니 메시로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is a level of version %2; only version %3, that of Quake 3, is read. Convert it to a mesh.</source>
+        <translation>%1 파일은 버전 %2의 레벨입니다. Quake 3의 버전 %3만 읽습니다. 메시로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level is to end at byte %3, after the end of the file. The file was cut off or changed: fetch it again.</source>
+        <translation>%1, 바이트 %2: 레벨의 배열이 파일 끝을 지난 바이트 %3에서 끝난다고 되어 있습니다. 파일이 잘렸거나 변경되었으니 다시 받으십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no surface of kind %3. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 종류 %3의 표면은 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a patch has %3 control points; the sides are odd numbers from 3 on, and their product is the number of vertices. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 패치의 제어점이 %3개입니다. 각 변은 3 이상의 홀수이고 그 곱이 정점 수여야 합니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the node %3 of the BSP tree has two parents. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: BSP 트리의 노드 %3에 부모가 둘 있습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file has no room for which of %3 clusters see which. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 클러스터 %3개의 상호 가시성을 담을 자리가 파일에 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>Surfaces left out that the game does not draw, or draws as sky: %1.</source>
+        <translation>게임이 그리지 않거나 하늘로 그려서 제외한 표면: %1개.</translation>
+    </message>
+    <message>
+        <source>Billboards left out, which have no place of their own: %1.</source>
+        <translation>고유한 위치가 없어 제외한 빌보드: %1개.</translation>
+    </message>
+    <message>
+        <source>Surfaces left out of models that no entity places: %1.</source>
+        <translation>어떤 엔티티도 배치하지 않는 모델에서 제외한 표면: %1개.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record here names %3 items from number %4 on, but the file has %5 of them. Fetch or compile the level again.</source>
+        <translation>%1, 바이트 %2: 여기 레코드는 %4번부터 항목 %3개를 가리키지만 파일에는 %5개가 있습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 names the accessor %2, which it does not have. Export the file again.</source>
+        <translation>%1 파일이 가리키는 접근자 %2번이 파일에 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 takes its numbers from where the file has no buffer. The file was cut off or changed: fetch or export it again.</source>
+        <translation>%1: 접근자 %2번이 버퍼가 없는 곳에서 숫자를 읽습니다. 파일이 잘렸거나 변경되었으니 다시 받거나 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 has more elements than its buffer view has room for. The file was cut off or changed: fetch or export it again.</source>
+        <translation>%1: 접근자 %2번의 요소가 버퍼 뷰에 담을 수 있는 것보다 많습니다. 파일이 잘렸거나 변경되었으니 다시 받거나 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 does not have %3 numbers an element of a kind that can stand there. Export the file again.</source>
+        <translation>%1: 접근자 %2번의 요소가 여기에 올 수 있는 종류의 숫자 %3개로 되어 있지 않습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 replaces elements in a way that is not possible. Export the file again.</source>
+        <translation>%1: 접근자 %2번이 불가능한 방식으로 요소를 바꿉니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 replaces an element that it does not have. Export the file again.</source>
+        <translation>%1: 접근자 %2번이 없는 요소를 바꿉니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 has to have whole numbers without a sign. Export the file again.</source>
+        <translation>%1: 접근자 %2번은 부호 없는 정수여야 합니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: objects and arrays lie deeper in each other than %3. Export the file again.</source>
+        <translation>%1, 바이트 %2: 객체와 배열이 %3단계보다 깊이 중첩되어 있습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: this is glTF of version %3; only version 2 is read. Export the scene as glTF 2.0.</source>
+        <translation>%1, 바이트 %2: glTF 버전 %3입니다. 버전 2만 읽습니다. 장면을 glTF 2.0으로 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a chunk is to have %3 bytes, more than the file. The file was cut off or changed: fetch it again.</source>
+        <translation>%1, 바이트 %2: 청크가 파일보다 긴 %3바이트라고 되어 있습니다. 파일이 잘렸거나 변경되었으니 다시 받으십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file is to have %3 bytes and has fewer. The file was cut off: fetch it again.</source>
+        <translation>%1, 바이트 %2: 파일이 %3바이트라고 되어 있지만 더 짧습니다. 파일이 잘렸으니 다시 받으십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a chunk of JSON must stand here. Export the file again.</source>
+        <translation>%1, 바이트 %2: 여기에는 JSON 청크가 있어야 합니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the chunk has %3 bytes, which is no multiple of 4. Export the file again.</source>
+        <translation>%1, 바이트 %2: 청크의 길이 %3바이트가 4의 배수가 아닙니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: a mesh that is compressed with Draco does not have its attribute %2. Export the file again.</source>
+        <translation>%1: Draco로 압축된 메시에 속성 %2번이 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: a mesh that is compressed with Draco cannot be decoded: %2. Fetch or export the file again.</source>
+        <translation>%1: Draco로 압축된 메시를 풀 수 없습니다: %2. 파일을 다시 받거나 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: a mesh is compressed with a version of Draco that is not read. Export the file again.</source>
+        <translation>%1: 읽지 않는 버전의 Draco로 압축된 메시가 있습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 places no surface that can be shown in its scene. Export the scene with its meshes.</source>
+        <translation>%1 파일은 장면에 표시할 수 있는 표면을 배치하지 않습니다. 장면을 메시와 함께 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Points and lines left out, which have no surface: %1 primitives.</source>
+        <translation>표면이 없어 제외한 점과 선: 프리미티브 %1개.</translation>
+    </message>
+    <message>
+        <source>Primitives left out that have no positions: %1.</source>
+        <translation>위치가 없어 제외한 프리미티브: %1개.</translation>
+    </message>
+    <message>
+        <source>Objects left out that lie beyond 1e30: %1.</source>
+        <translation>1e30을 벗어나 제외한 물체: %1개.</translation>
+    </message>
+    <message>
+        <source>Skins are not applied; objects that stand as they were modelled: %1.</source>
+        <translation>스킨을 적용하지 않아 모델링된 상태로 서 있는 물체: %1개.</translation>
+    </message>
+    <message>
+        <source>Morph targets are not applied; primitives that have some: %1.</source>
+        <translation>모프 타깃을 적용하지 않습니다. 모프 타깃이 있는 프리미티브: %1개.</translation>
+    </message>
+    <message>
+        <source>Animations are not played: %1.</source>
+        <translation>재생하지 않는 애니메이션: %1개.</translation>
+    </message>
+    <message>
+        <source>Scenes of the file that are not shown, because one at a time is: %1.</source>
+        <translation>한 번에 하나만 표시하므로 표시하지 않은 파일의 장면: %1개.</translation>
+    </message>
+    <message>
+        <source>%1 takes a buffer from &quot;%2&quot;, which is not in its own folder or below. Put the buffers beside it, or export it as one file (.glb).</source>
+        <translation>%1 파일이 자신의 폴더나 그 아래에 없는 &quot;%2&quot;에서 버퍼를 읽습니다. 버퍼를 파일 옆에 두거나 한 파일(.glb)로 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 takes a buffer from &quot;%2&quot;, which does not exist. Put the buffers beside it, or export it as one file (.glb).</source>
+        <translation>%1 파일이 없는 파일 &quot;%2&quot;에서 버퍼를 읽습니다. 버퍼를 파일 옆에 두거나 한 파일(.glb)로 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 has more than 4 GB. Split the file, or put its buffers into files beside it.</source>
+        <translation>%1 파일이 4GB보다 큽니다. 파일을 나누거나 버퍼를 옆의 파일에 두십시오.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as glTF 2.0: %2. Export the file again.</source>
+        <translation>%1 파일을 glTF 2.0으로 읽을 수 없습니다: %2. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 requires the extension &quot;%2&quot;, which is not read. Export the file without it.</source>
+        <translation>%1 파일에 필요한 확장 &quot;%2&quot;을(를) 읽지 못합니다. 그 확장 없이 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 names the scene %2, which it does not have. Export the file again.</source>
+        <translation>%1 파일이 가리키는 장면 %2번이 파일에 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 names the node %2, which it does not have. Export the file again.</source>
+        <translation>%1 파일이 가리키는 노드 %2번이 파일에 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the node %2 has two parents or is its own ancestor. Export the file again.</source>
+        <translation>%1: 노드 %2번에 부모가 둘 있거나 노드가 자신의 조상입니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the transform of the node %2 does not have the numbers that it needs. Export the file again.</source>
+        <translation>%1: 노드 %2번의 변환에 필요한 숫자가 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the matrix of the node %2 is not affine. Export the file again.</source>
+        <translation>%1: 노드 %2번의 행렬이 아핀 변환이 아닙니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 names the mesh %2, which it does not have. Export the file again.</source>
+        <translation>%1 파일이 가리키는 메시 %2번이 파일에 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1: the instances of the node %2 have transforms of different numbers. Export the file again.</source>
+        <translation>%1: 노드 %2번의 인스턴스 변환들의 개수가 서로 다릅니다. 파일을 다시 내보내십시오.</translation>
+>>>>>>> 5ad46626d15a621f402ff65f406bc3bd903bc118
     </message>
 </context>
 <context>

@@ -6950,6 +6950,7 @@
         <translation>每帧，对每个物体</translation>
     </message>
     <message>
+<<<<<<< HEAD
         <source>OpenGL is asked about boxes: %1; its answers come later</source>
         <translation>向 OpenGL 询问包围盒：%1 个；答案稍后到来</translation>
     </message>
@@ -7072,6 +7073,202 @@
     <message>
         <source>How many times the surface of the group&apos;s own box these boxes have together, at most.</source>
         <translation>这些盒子的表面积之和最多是该组自身盒子的多少倍。</translation>
+=======
+        <source>%1, byte %2: the text of the level&apos;s entities cannot be read here. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：此处无法读取关卡的实体文本。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level ends within a record. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：关卡的一个数组在记录中间结束。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1 does not begin with IBSP, as levels of Quake 3 do. Levels of other games are not read: convert them to a mesh.</source>
+        <translation>%1 不像 Quake 3 关卡那样以 IBSP 开头。不读取其他游戏的关卡：请将其转换为网格。</translation>
+    </message>
+    <message>
+        <source>%1 is a level of version %2; only version %3, that of Quake 3, is read. Convert it to a mesh.</source>
+        <translation>%1 是版本 %2 的关卡；只读取 Quake 3 的版本 %3。请将其转换为网格。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an array of the level is to end at byte %3, after the end of the file. The file was cut off or changed: fetch it again.</source>
+        <translation>%1，字节 %2：关卡的一个数组应在字节 %3 处结束，超出了文件末尾。文件被截断或更改：请重新获取。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no surface of kind %3. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：不存在种类为 %3 的表面。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a patch has %3 control points; the sides are odd numbers from 3 on, and their product is the number of vertices. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：曲面片有 %3 个控制点；每边应为不小于 3 的奇数，其乘积应等于顶点数。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the node %3 of the BSP tree has two parents. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：BSP 树的节点 %3 有两个父节点。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file has no room for which of %3 clusters see which. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：文件没有足够空间存放 %3 个簇之间的可见性。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>Surfaces left out that the game does not draw, or draws as sky: %1.</source>
+        <translation>省略的表面（游戏不绘制，或绘制为天空）：%1。</translation>
+    </message>
+    <message>
+        <source>Billboards left out, which have no place of their own: %1.</source>
+        <translation>省略的公告板（没有固定的位置）：%1。</translation>
+    </message>
+    <message>
+        <source>Surfaces left out of models that no entity places: %1.</source>
+        <translation>省略的表面（其模型没有实体放置）：%1。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record here names %3 items from number %4 on, but the file has %5 of them. Fetch or compile the level again.</source>
+        <translation>%1，字节 %2：此处的记录引用从编号 %4 起的 %3 项，但文件中只有 %5 项。请重新获取或编译该关卡。</translation>
+    </message>
+    <message>
+        <source>%1 names the accessor %2, which it does not have. Export the file again.</source>
+        <translation>%1 引用了不存在的访问器 %2。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 takes its numbers from where the file has no buffer. The file was cut off or changed: fetch or export it again.</source>
+        <translation>%1：访问器 %2 从没有缓冲区的位置读取数值。文件被截断或更改：请重新获取或导出。</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 has more elements than its buffer view has room for. The file was cut off or changed: fetch or export it again.</source>
+        <translation>%1：访问器 %2 的元素多于其缓冲区视图所能容纳的数量。文件被截断或更改：请重新获取或导出。</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 does not have %3 numbers an element of a kind that can stand there. Export the file again.</source>
+        <translation>%1：访问器 %2 的每个元素不是 %3 个此处允许的数值。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 replaces elements in a way that is not possible. Export the file again.</source>
+        <translation>%1：访问器 %2 以不可能的方式替换元素。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 replaces an element that it does not have. Export the file again.</source>
+        <translation>%1：访问器 %2 替换了不存在的元素。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the accessor %2 has to have whole numbers without a sign. Export the file again.</source>
+        <translation>%1：访问器 %2 必须是无符号整数。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: objects and arrays lie deeper in each other than %3. Export the file again.</source>
+        <translation>%1，字节 %2：对象和数组的嵌套深度超过 %3。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: this is glTF of version %3; only version 2 is read. Export the scene as glTF 2.0.</source>
+        <translation>%1，字节 %2：这是版本 %3 的 glTF；只读取版本 2。请将场景导出为 glTF 2.0。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a chunk is to have %3 bytes, more than the file. The file was cut off or changed: fetch it again.</source>
+        <translation>%1，字节 %2：数据块应有 %3 字节，超过文件本身。文件被截断或更改：请重新获取。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file is to have %3 bytes and has fewer. The file was cut off: fetch it again.</source>
+        <translation>%1，字节 %2：文件应有 %3 字节，实际更少。文件被截断：请重新获取。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a chunk of JSON must stand here. Export the file again.</source>
+        <translation>%1，字节 %2：此处必须是 JSON 数据块。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the chunk has %3 bytes, which is no multiple of 4. Export the file again.</source>
+        <translation>%1，字节 %2：数据块有 %3 字节，不是 4 的倍数。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: a mesh that is compressed with Draco does not have its attribute %2. Export the file again.</source>
+        <translation>%1：用 Draco 压缩的网格没有属性 %2。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: a mesh that is compressed with Draco cannot be decoded: %2. Fetch or export the file again.</source>
+        <translation>%1：无法解码用 Draco 压缩的网格：%2。请重新获取或导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: a mesh is compressed with a version of Draco that is not read. Export the file again.</source>
+        <translation>%1：网格用不支持读取的 Draco 版本压缩。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1 places no surface that can be shown in its scene. Export the scene with its meshes.</source>
+        <translation>%1 的场景中没有放置可显示的表面。请连同网格一起导出场景。</translation>
+    </message>
+    <message>
+        <source>Points and lines left out, which have no surface: %1 primitives.</source>
+        <translation>省略的点和线（没有表面）：%1 个图元。</translation>
+    </message>
+    <message>
+        <source>Primitives left out that have no positions: %1.</source>
+        <translation>省略的没有位置的图元：%1。</translation>
+    </message>
+    <message>
+        <source>Objects left out that lie beyond 1e30: %1.</source>
+        <translation>省略的超出 1e30 的物体：%1。</translation>
+    </message>
+    <message>
+        <source>Skins are not applied; objects that stand as they were modelled: %1.</source>
+        <translation>不应用蒙皮；保持建模姿态的物体：%1。</translation>
+    </message>
+    <message>
+        <source>Morph targets are not applied; primitives that have some: %1.</source>
+        <translation>不应用变形目标；带有变形目标的图元：%1。</translation>
+    </message>
+    <message>
+        <source>Animations are not played: %1.</source>
+        <translation>不播放的动画：%1。</translation>
+    </message>
+    <message>
+        <source>Scenes of the file that are not shown, because one at a time is: %1.</source>
+        <translation>文件中未显示的场景（一次只显示一个）：%1。</translation>
+    </message>
+    <message>
+        <source>%1 takes a buffer from &quot;%2&quot;, which is not in its own folder or below. Put the buffers beside it, or export it as one file (.glb).</source>
+        <translation>%1 从不在其所在文件夹或子文件夹中的“%2”读取缓冲区。请将缓冲区放在文件旁边，或导出为单个文件（.glb）。</translation>
+    </message>
+    <message>
+        <source>%1 takes a buffer from &quot;%2&quot;, which does not exist. Put the buffers beside it, or export it as one file (.glb).</source>
+        <translation>%1 从不存在的“%2”读取缓冲区。请将缓冲区放在文件旁边，或导出为单个文件（.glb）。</translation>
+    </message>
+    <message>
+        <source>%1 has more than 4 GB. Split the file, or put its buffers into files beside it.</source>
+        <translation>%1 超过 4 GB。请拆分文件，或将缓冲区放入旁边的文件。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as glTF 2.0: %2. Export the file again.</source>
+        <translation>%1 无法作为 glTF 2.0 读取：%2。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1 requires the extension &quot;%2&quot;, which is not read. Export the file without it.</source>
+        <translation>%1 需要扩展“%2”，该扩展不支持读取。请在不使用它的情况下导出文件。</translation>
+    </message>
+    <message>
+        <source>%1 names the scene %2, which it does not have. Export the file again.</source>
+        <translation>%1 引用了不存在的场景 %2。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1 names the node %2, which it does not have. Export the file again.</source>
+        <translation>%1 引用了不存在的节点 %2。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the node %2 has two parents or is its own ancestor. Export the file again.</source>
+        <translation>%1：节点 %2 有两个父节点，或是自身的祖先。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the transform of the node %2 does not have the numbers that it needs. Export the file again.</source>
+        <translation>%1：节点 %2 的变换缺少所需的数值。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the matrix of the node %2 is not affine. Export the file again.</source>
+        <translation>%1：节点 %2 的矩阵不是仿射变换。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1 names the mesh %2, which it does not have. Export the file again.</source>
+        <translation>%1 引用了不存在的网格 %2。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1: the instances of the node %2 have transforms of different numbers. Export the file again.</source>
+        <translation>%1：节点 %2 的实例变换数量不一致。请重新导出文件。</translation>
+>>>>>>> 5ad46626d15a621f402ff65f406bc3bd903bc118
     </message>
 </context>
 <context>

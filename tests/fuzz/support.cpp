@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/mesh/load.h"
+#include "core/scene/scene_source.h"
 #include "tests/support/sound_mesh.h"
 
 namespace cullscope::fuzz {
@@ -84,6 +85,17 @@ void readMeshFile(std::string_view content, const std::string& name) {
         LoadOptions options;
         options.memoryLimitBytes = kMemory;
         require(test::isSound(loadMeshFile(file, options)), "a mesh that was read is not sound");
+    });
+}
+
+void readSceneFile(std::string_view content, const std::string& name, const std::function<void(const Scene& scene)>& check) {
+    const std::filesystem::path file = fileOf(content, name);
+    acceptedFile(file, [&] {
+        SceneSourceOptions options;
+        options.load.memoryLimitBytes = kMemory;
+        const ScenePointer scene = openScene(file.string(), options).scene;
+        requireSound(*scene);
+        check(*scene);
     });
 }
 

@@ -37,6 +37,11 @@ bool acceptedFile(const std::filesystem::path& file, const std::function<void()>
 /// Reads a mesh file and requires that its meshes are sound.
 void readMeshFile(std::string_view content, const std::string& name);
 
+/// Reads a file of any format, which its name says, and requires that the scene is sound; `check` may require more.
+void readSceneFile(
+    std::string_view content, const std::string& name,
+    const std::function<void(const Scene& scene)>& check = [](const Scene&) {});
+
 /// Requires that every mesh of a scene is sound, and that its instances and bounds are finite.
 void requireSound(const Scene& scene);
 

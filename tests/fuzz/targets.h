@@ -19,6 +19,7 @@ struct Target {
 void camera_path(std::string_view input);
 void certificate(std::string_view input);
 void drawn_sets(std::string_view input);
+void gltf(std::string_view input);  ///< text and binary
 void lesson(std::string_view input);
 void obj(std::string_view input);
 void off(std::string_view input);
@@ -27,6 +28,7 @@ void packed(std::string_view input);            ///< gzip and xz
 void picture_metadata(std::string_view input);  ///< the first byte says which format
 void ply(std::string_view input);
 void polygons(std::string_view input);
+void quake_level(std::string_view input);
 void result_store(std::string_view input);
 void rvm(std::string_view input);
 void session(std::string_view input);

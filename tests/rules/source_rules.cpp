@@ -228,8 +228,8 @@ std::vector<Offence> familyOffences(const fs::path& root) {
 
 std::vector<Offence> strategyIdOffences(const fs::path& root, const std::vector<std::string>& ids) {
     static const std::regex kLiteral(R"re((tr\(|translate\()?"([^"\\]*)")re");
-    // Words of other things: a keyword of OBJ files, and pieces into which a generator splits a mesh.
-    static const std::set<std::pair<std::string, std::string>> kOthers{{"mesh", "bsp"}, {"scene", "clusters"}};
+    // Words of other things: a keyword of OBJ files, the extension of levels, and pieces into which a generator splits a mesh.
+    static const std::set<std::pair<std::string, std::string>> kOthers{{"mesh", "bsp"}, {"scene", "bsp"}, {"scene", "clusters"}};
     std::vector<Offence> offences;
     for (const fs::path& file : sourcesOf(root)) {
         const fs::path relative = fs::relative(file, root);

@@ -131,7 +131,8 @@ TEST_F(Window, theWheelOverTheDockKeepsTheStrategy) {
 
 TEST(FileDialog, typesHaveNamesBesideTheirPatterns) {
     const QString all = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 0, 0);
-    for (const char* pattern : {"*.obj", "*.PLY", "*.polygons", "*.rvm", "*.obj.gz", "*.PLY.XZ", "*.cullscope", "*.png", "*.exr"})
+    for (const char* pattern : {"*.obj", "*.PLY", "*.polygons", "*.rvm", "*.bsp", "*.gltf", "*.GLB", "*.obj.gz", "*.PLY.XZ",
+                                "*.cullscope", "*.png", "*.exr"})
         EXPECT_TRUE(all.contains(QLatin1String(pattern))) << pattern << " is opened by the one dialog: " << all.toStdString();
     const QString meshes = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 1, 1);
     EXPECT_TRUE(meshes.startsWith(QStringLiteral("Meshes (obj, "))) << meshes.toStdString();
@@ -151,7 +152,7 @@ TEST(FileDialog, everyPlaceThatSaysWhatCanBeOpenedNamesAllOfIt) {
         ASSERT_TRUE(page.open(QIODevice::ReadOnly));
         places.emplace_back(language.id, QString::fromUtf8(page.readAll()).section(QStringLiteral("\n2. "), 0, 0).toUpper());
     }
-    EXPECT_GE(readableSceneExtensions().size(), 7u);
+    EXPECT_GE(readableSceneExtensions().size(), 10u);
     for (const auto& [place, text] : places)
         for (const std::string& extension : readableSceneExtensions())
             EXPECT_TRUE(text.contains(QString::fromStdString(extension).toUpper()))

@@ -1,12 +1,12 @@
 #include "core/scene/rvm/rvm_scene.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/mesh/file_format.h"
 #include "core/mesh/mesh_assembler.h"
 #include "core/scene/rvm/facets.h"
 
@@ -71,7 +71,7 @@ public:
             addOwn(group);
     }
 
-    RvmScene finish(std::string name) {
+    FileScene finish(std::string name) {
         if (m_instances.empty())
             throwInput(CULLSCOPE_TR("%1 holds no surface. Export the plant with its primitives."), {m_fileName});
         if (m_leftOut > 0)
@@ -216,13 +216,10 @@ private:
 }  // namespace
 }  // namespace rvm
 
-bool isRvmFile(const std::filesystem::path& path) {
-    std::string extension = withoutPacking(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == std::string(".") + kRvmExtension;
-}
+bool isRvmFile(const std::filesystem::path& path) { return extensionOf(path) == kRvmExtension; }
 
-RvmScene readRvmFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress, double chordError) {
+FileScene readRvmFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress,
+                      double chordError) {
     ByteSource source(path, progress, false, options.memoryLimitBytes);
     rvm::SceneBuilder builder(source.name(), options, progress, chordError);
     rvm::readRecords(source, {[&](std::string name) { builder.beginGroup(std::move(name)); }, [&] { builder.endGroup(); },

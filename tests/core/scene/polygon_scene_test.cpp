@@ -12,7 +12,7 @@ namespace cullscope::test::polygon_scene_test {
 namespace {
 
 TEST(PolygonScene, polygonsBecomeObjectsOfTheirNames) {
-    const PolygonScene read = readPolygonText(
+    const FileScene read = readPolygonText(
         "# two polygons\n"
         "polygon floor  0 0 0  4 0 0  4 4 0  2 5 0  0 4 0   # five corners\n"
         "\n"

@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <random>
 
 #include "core/base/error.h"
 #include "core/scene/rvm/rvm_records.h"
 #include "core/scene/scene_source.h"
-#include "tests/support/long_mode.h"
+#include "tests/support/changed_files.h"
 #include "tests/support/mesh_files.h"
 #include "tests/support/rvm_bytes.h"
 
@@ -20,7 +19,7 @@ using testing::MatchesRegex;
 
 class Rvm : public MeshFiles {
 protected:
-    [[nodiscard]] RvmScene read(std::string_view bytes) const { return readRvmFile(write("a.rvm", bytes)); }
+    [[nodiscard]] FileScene read(std::string_view bytes) const { return readRvmFile(write("a.rvm", bytes)); }
     [[nodiscard]] std::string refused(std::string_view bytes) const {
         try {
             (void)read(bytes);
@@ -33,7 +32,7 @@ protected:
 };
 
 TEST_F(Rvm, primitivesBecomePartsOfTheirGroups) {
-    const RvmScene read = this->read(rvmSample());
+    const FileScene read = this->read(rvmSample());
     const Scene& scene = *read.scene;
     std::vector<std::string> names;
     for (const Instance& instance : scene.instances()) names.push_back(instance.name);
@@ -82,7 +81,7 @@ TEST_F(Rvm, holesOfFacetsAreHoles) {
 TEST_F(Rvm, impossibleSolidsAreLeftOutWithARemark) {
     RvmBytes file;
     file.head().group("/A").primitive(2, {1, 1, 1}).primitive(8, {-5, 100}).primitive(4, {10, 20, 1}).endGroup().finish();
-    const RvmScene read = this->read(file.bytes());
+    const FileScene read = this->read(file.bytes());
     EXPECT_EQ(read.scene->partCounts().size(), 1u);
     ASSERT_EQ(read.report.remarks.size(), 1u);
     EXPECT_THAT(read.report.remarks[0].english(),
@@ -98,7 +97,7 @@ TEST_F(Rvm, whatLiesBeyondAllNumbersIsLeftOutAndMemoryIsLimited) {
         .primitive(8, {1e20, 1e20})
         .endGroup()
         .finish();
-    const RvmScene read = this->read(far.bytes());
+    const FileScene read = this->read(far.bytes());
     ASSERT_EQ(read.report.remarks.size(), 1u);
     EXPECT_THAT(read.report.remarks[0].english(), HasSubstr("exists: 1. The first, at byte 316: It lies beyond 1e30."));
     EXPECT_LT(read.scene->triangleCount(), 1000u) << "a cylinder of any size";
@@ -158,42 +157,8 @@ TEST_F(Rvm, malformedFilesAreRefusedWithTheByte) {
 }
 
 TEST_F(Rvm, everyTruncationAndEverySeededMutationLoadsOrIsRefused) {
-    const std::string good = rvmSample();
-    const auto fine = [&](std::string_view bytes) {
-        try {
-            const RvmScene read = readRvmFile(write("a.rvm", bytes), {}, {}, 0.1);
-            for (size_t i = 0; i < read.scene->instances().size(); ++i) {
-                const Box3& box = read.scene->instanceBox(i);
-                if (!(box.min.x <= box.max.x)) return false;
-            }
-            return true;
-        } catch (const Error& error) {
-            return error.kind() == ErrorKind::Input && std::string(error.what()).find("a.rvm") != std::string::npos;
-        }
-    };
-    EXPECT_TRUE(succeedsInChild(
-        [&] {
-            for (size_t length = 1; length < good.size(); length += longMode() ? 1 : 5)
-                if (!fine(std::string_view(good).substr(0, length))) return false;
-            std::mt19937 random(20261123);
-            for (int round = 0; round < int(howMany(3000, 400)); ++round) {
-                std::string bytes = good;
-                for (size_t change = 1 + random() % 3; change > 0; --change) {
-                    const size_t at = random() % bytes.size();
-                    if (random() % 4 == 0)
-                        bytes.erase(at, 1 + random() % 8);
-                    else if (random() % 3 == 0)
-                        bytes[at] = "\xff\x7f\x80\x00"[random() % 4];
-                    else
-                        bytes[at] = char(bytes[at] ^ (1 << random() % 8));
-                }
-                if (fine(bytes)) continue;
-                std::fprintf(stderr, "round %d\n", round);
-                return false;
-            }
-            return true;
-        },
-        120));
+    EXPECT_TRUE(everyChangeLoadsOrIsRefused(
+        rvmSample(), "a.rvm", [&](std::string_view bytes) { return readRvmFile(write("a.rvm", bytes), {}, {}, 0.1).scene; }));
 }
 
 const std::filesystem::path kHuldra = CULLSCOPE_SOURCE_DIR "/../shared/models/scenes/huldra-WD1-PSUP.RVM";
