@@ -2218,10 +2218,6 @@
         <translation>더 가까운 곳의 최댓값</translation>
     </message>
     <message>
-        <source>nothing drawn beyond</source>
-        <translation>이 너머로는 그리지 않음</translation>
-    </message>
-    <message>
         <source>Se&amp;ctor:</source>
         <translation>구역(&amp;C):</translation>
     </message>
@@ -6950,130 +6946,6 @@
         <translation>매 프레임, 물체마다</translation>
     </message>
     <message>
-<<<<<<< HEAD
-        <source>OpenGL is asked about boxes: %1; its answers come later</source>
-        <translation>OpenGL에 묻는 상자: %1개, 답은 나중에 옵니다</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about boxes: %1, in groups: %2; its answers come later</source>
-        <translation>OpenGL에 묻는 상자: %1개, 묶음: %2개, 답은 나중에 옵니다</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about boxes: %1, in groups: %2; groups hit: %3</source>
-        <translation>OpenGL에 묻는 상자: %1개, 묶음: %2개, 맞은 묶음: %3개</translation>
-    </message>
-    <message>
-        <source>OpenGL cannot be asked about a group of no boxes.</source>
-        <translation>상자가 없는 묶음은 OpenGL에 물을 수 없습니다.</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about %1 boxes, and their groups have %2 boxes: each box belongs to one group.</source>
-        <translation>OpenGL에 상자 %1개를 묻는데 그 묶음의 상자는 %2개입니다. 상자는 저마다 한 묶음에 속해야 합니다.</translation>
-    </message>
-    <message>
-        <source>It was visible in the frame before: it counts as visible without asking.</source>
-        <translation>앞 프레임에서 보였습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
-    </message>
-    <message>
-        <source>There is no answer about it of the frame before: it counts as visible.</source>
-        <translation>앞 프레임의 답이 없습니다. 보이는 것으로 봅니다.</translation>
-    </message>
-    <message>
-        <source>At the end of the frame OpenGL is asked about it, for the next frame: boxes: %1.</source>
-        <translation>프레임 끝에 다음 프레임을 위해 OpenGL에 묻습니다. 상자: %1개.</translation>
-    </message>
-    <message>
-        <source>By the answers of the frame before it is hidden; it is asked about for the next frame, boxes: %1.</source>
-        <translation>앞 프레임의 답에 따르면 가려졌습니다. 다음 프레임을 위해 묻습니다. 상자: %1개.</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1; it shows before what is drawn.</source>
-        <translation>OpenGL에 물었습니다. 상자: %1개. 그려진 것 앞에 보입니다.</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1; what is drawn hides all of it.</source>
-        <translation>OpenGL에 물었습니다. 상자: %1개. 그려진 것이 모두 가립니다.</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; of these something shows, so each is asked about by itself.</source>
-        <translation>OpenGL에 다른 그룹과 함께 한 번에 물었습니다. 상자: %1개, 그룹: 모두 %2개. 그중 무언가가 보이므로 하나씩 다시 묻습니다.</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; what is drawn hides all of them.</source>
-        <translation>OpenGL에 다른 그룹과 함께 한 번에 물었습니다. 상자: %1개, 그룹: 모두 %2개. 그려진 것이 모두를 가립니다.</translation>
-    </message>
-    <message>
-        <source>Its box, grown by %1, reaches before the near plane: it counts as visible without asking.</source>
-        <translation>%1만큼 키운 상자가 근평면 앞까지 닿습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
-    </message>
-    <message>
-        <source>visit the nearest group left</source>
-        <translation>남은 그룹 중 가장 가까운 것을 방문</translation>
-    </message>
-    <message>
-        <source>first, near or visible before: visible</source>
-        <translation>첫째, 근평면, 앞서 보였으면: 보임</translation>
-    </message>
-    <message>
-        <source>a leaf and due: ask again at the end</source>
-        <translation>잎이고 차례이면: 끝에 다시 물음</translation>
-    </message>
-    <message>
-        <source>else ask OpenGL, several in one query</source>
-        <translation>아니면 여럿을 한 질의로 OpenGL에 물음</translation>
-    </message>
-    <message>
-        <source>some of several show: ask one by one</source>
-        <translation>여럿 중 일부가 보이면: 하나씩 물음</translation>
-    </message>
-    <message>
-        <source>visible: visit(parts), nearest first</source>
-        <translation>보이면: 방문(부분), 가까운 것부터</translation>
-    </message>
-    <message>
-        <source>Coherent hierarchical culling (CHC++)</source>
-        <translation>일관성 계층 컬링(CHC++)</translation>
-    </message>
-    <message>
-        <source>Draws what was visible in the frame before, and asks OpenGL about what was hidden, many groups at once.</source>
-        <translation>앞 프레임에서 보인 것을 그리고, 가려졌던 것은 여러 그룹을 한 번에 OpenGL에 묻습니다.</translation>
-    </message>
-    <message>
-        <source>How many frames later answers about hidden groups are used; 0: they are waited for, and nothing is lost.</source>
-        <translation>가려진 그룹에 대한 답을 몇 프레임 뒤에 쓰는지; 0: 답을 기다리며 아무것도 잃지 않습니다.</translation>
-    </message>
-    <message>
-        <source>How many groups that were hidden are gathered before OpenGL is asked about them.</source>
-        <translation>가려졌던 그룹을 몇 개 모은 뒤 OpenGL에 묻는지.</translation>
-    </message>
-    <message>
-        <source>How many groups one query covers at most; 1: each has a query of its own.</source>
-        <translation>한 질의가 다루는 그룹의 최대 수; 1: 그룹마다 따로 묻습니다.</translation>
-    </message>
-    <message>
-        <source>After how many frames a visible group without parts is asked about again.</source>
-        <translation>부분이 없는 보이는 그룹을 몇 프레임 뒤에 다시 묻는지.</translation>
-    </message>
-    <message>
-        <source>After how many frames that is done for the first time.</source>
-        <translation>처음에는 몇 프레임 뒤에 다시 묻는지.</translation>
-    </message>
-    <message>
-        <source>a random part of these frames, so that the queries spread</source>
-        <translation>그 프레임 수의 임의의 일부: 질의가 고르게 퍼집니다</translation>
-    </message>
-    <message>
-        <source>all of these frames</source>
-        <translation>그 프레임 수 전부</translation>
-    </message>
-    <message>
-        <source>How many levels below a group lie the boxes by which it is asked about, at most; 0: by its own box.</source>
-        <translation>그룹을 물을 때 쓰는 상자가 그룹보다 최대 몇 단계 아래에 있는지; 0: 그룹 자신의 상자.</translation>
-    </message>
-    <message>
-        <source>How many times the surface of the group&apos;s own box these boxes have together, at most.</source>
-        <translation>이 상자들의 겉넓이 합이 그룹 자신의 상자의 최대 몇 배인지.</translation>
-=======
         <source>%1, byte %2: the text of the level&apos;s entities cannot be read here. Fetch or compile the level again.</source>
         <translation>%1, 바이트 %2: 레벨의 엔티티 텍스트를 여기서 읽을 수 없습니다. 레벨을 다시 받거나 컴파일하십시오.</translation>
     </message>
@@ -7268,7 +7140,134 @@
     <message>
         <source>%1: the instances of the node %2 have transforms of different numbers. Export the file again.</source>
         <translation>%1: 노드 %2번의 인스턴스 변환들의 개수가 서로 다릅니다. 파일을 다시 내보내십시오.</translation>
->>>>>>> 5ad46626d15a621f402ff65f406bc3bd903bc118
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1; its answers come later</source>
+        <translation>OpenGL에 묻는 상자: %1개, 답은 나중에 옵니다</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1, in groups: %2; its answers come later</source>
+        <translation>OpenGL에 묻는 상자: %1개, 묶음: %2개, 답은 나중에 옵니다</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1, in groups: %2; groups hit: %3</source>
+        <translation>OpenGL에 묻는 상자: %1개, 묶음: %2개, 맞은 묶음: %3개</translation>
+    </message>
+    <message>
+        <source>OpenGL cannot be asked about a group of no boxes.</source>
+        <translation>상자가 없는 묶음은 OpenGL에 물을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes, and their groups have %2 boxes: each box belongs to one group.</source>
+        <translation>OpenGL에 상자 %1개를 묻는데 그 묶음의 상자는 %2개입니다. 상자는 저마다 한 묶음에 속해야 합니다.</translation>
+    </message>
+    <message>
+        <source>It was visible in the frame before: it counts as visible without asking.</source>
+        <translation>앞 프레임에서 보였습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>There is no answer about it of the frame before: it counts as visible.</source>
+        <translation>앞 프레임의 답이 없습니다. 보이는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>At the end of the frame OpenGL is asked about it, for the next frame: boxes: %1.</source>
+        <translation>프레임 끝에 다음 프레임을 위해 OpenGL에 묻습니다. 상자: %1개.</translation>
+    </message>
+    <message>
+        <source>By the answers of the frame before it is hidden; it is asked about for the next frame, boxes: %1.</source>
+        <translation>앞 프레임의 답에 따르면 가려졌습니다. 다음 프레임을 위해 묻습니다. 상자: %1개.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1; it shows before what is drawn.</source>
+        <translation>OpenGL에 물었습니다. 상자: %1개. 그려진 것 앞에 보입니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1; what is drawn hides all of it.</source>
+        <translation>OpenGL에 물었습니다. 상자: %1개. 그려진 것이 모두 가립니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; of these something shows, so each is asked about by itself.</source>
+        <translation>OpenGL에 다른 그룹과 함께 한 번에 물었습니다. 상자: %1개, 그룹: 모두 %2개. 그중 무언가가 보이므로 하나씩 다시 묻습니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; what is drawn hides all of them.</source>
+        <translation>OpenGL에 다른 그룹과 함께 한 번에 물었습니다. 상자: %1개, 그룹: 모두 %2개. 그려진 것이 모두를 가립니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, reaches before the near plane: it counts as visible without asking.</source>
+        <translation>%1만큼 키운 상자가 근평면 앞까지 닿습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>visit the nearest group left</source>
+        <translation>남은 그룹 중 가장 가까운 것을 방문</translation>
+    </message>
+    <message>
+        <source>first, near or visible before: visible</source>
+        <translation>첫째, 근평면, 앞서 보였으면: 보임</translation>
+    </message>
+    <message>
+        <source>a leaf and due: ask again at the end</source>
+        <translation>잎이고 차례이면: 끝에 다시 물음</translation>
+    </message>
+    <message>
+        <source>else ask OpenGL, several in one query</source>
+        <translation>아니면 여럿을 한 질의로 OpenGL에 물음</translation>
+    </message>
+    <message>
+        <source>some of several show: ask one by one</source>
+        <translation>여럿 중 일부가 보이면: 하나씩 물음</translation>
+    </message>
+    <message>
+        <source>visible: visit(parts), nearest first</source>
+        <translation>보이면: 방문(부분), 가까운 것부터</translation>
+    </message>
+    <message>
+        <source>Coherent hierarchical culling (CHC++)</source>
+        <translation>일관성 계층 컬링(CHC++)</translation>
+    </message>
+    <message>
+        <source>Draws what was visible in the frame before, and asks OpenGL about what was hidden, many groups at once.</source>
+        <translation>앞 프레임에서 보인 것을 그리고, 가려졌던 것은 여러 그룹을 한 번에 OpenGL에 묻습니다.</translation>
+    </message>
+    <message>
+        <source>How many frames later answers about hidden groups are used; 0: they are waited for, and nothing is lost.</source>
+        <translation>가려진 그룹에 대한 답을 몇 프레임 뒤에 쓰는지; 0: 답을 기다리며 아무것도 잃지 않습니다.</translation>
+    </message>
+    <message>
+        <source>How many groups that were hidden are gathered before OpenGL is asked about them.</source>
+        <translation>가려졌던 그룹을 몇 개 모은 뒤 OpenGL에 묻는지.</translation>
+    </message>
+    <message>
+        <source>How many groups one query covers at most; 1: each has a query of its own.</source>
+        <translation>한 질의가 다루는 그룹의 최대 수; 1: 그룹마다 따로 묻습니다.</translation>
+    </message>
+    <message>
+        <source>After how many frames a visible group without parts is asked about again.</source>
+        <translation>부분이 없는 보이는 그룹을 몇 프레임 뒤에 다시 묻는지.</translation>
+    </message>
+    <message>
+        <source>After how many frames that is done for the first time.</source>
+        <translation>처음에는 몇 프레임 뒤에 다시 묻는지.</translation>
+    </message>
+    <message>
+        <source>a random part of these frames, so that the queries spread</source>
+        <translation>그 프레임 수의 임의의 일부: 질의가 고르게 퍼집니다</translation>
+    </message>
+    <message>
+        <source>all of these frames</source>
+        <translation>그 프레임 수 전부</translation>
+    </message>
+    <message>
+        <source>How many levels below a group lie the boxes by which it is asked about, at most; 0: by its own box.</source>
+        <translation>그룹을 물을 때 쓰는 상자가 그룹보다 최대 몇 단계 아래에 있는지; 0: 그룹 자신의 상자.</translation>
+    </message>
+    <message>
+        <source>How many times the surface of the group&apos;s own box these boxes have together, at most.</source>
+        <translation>이 상자들의 겉넓이 합이 그룹 자신의 상자의 최대 몇 배인지.</translation>
+    </message>
+    <message>
+        <source>nothing drawn beyond</source>
+        <translation>이 너머로는 그리지 않음</translation>
     </message>
 </context>
 <context>

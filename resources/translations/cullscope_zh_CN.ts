@@ -2218,10 +2218,6 @@
         <translation>更近处的最大值</translation>
     </message>
     <message>
-        <source>nothing drawn beyond</source>
-        <translation>此后不再绘制</translation>
-    </message>
-    <message>
         <source>Se&amp;ctor:</source>
         <translation>扇区(&amp;C)：</translation>
     </message>
@@ -6950,130 +6946,6 @@
         <translation>每帧，对每个物体</translation>
     </message>
     <message>
-<<<<<<< HEAD
-        <source>OpenGL is asked about boxes: %1; its answers come later</source>
-        <translation>向 OpenGL 询问包围盒：%1 个；答案稍后到来</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about boxes: %1, in groups: %2; its answers come later</source>
-        <translation>向 OpenGL 询问包围盒：%1 个，分为 %2 组；答案稍后到来</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about boxes: %1, in groups: %2; groups hit: %3</source>
-        <translation>向 OpenGL 询问包围盒：%1 个，分为 %2 组；命中的组：%3 个</translation>
-    </message>
-    <message>
-        <source>OpenGL cannot be asked about a group of no boxes.</source>
-        <translation>不能就没有盒子的组询问 OpenGL。</translation>
-    </message>
-    <message>
-        <source>OpenGL is asked about %1 boxes, and their groups have %2 boxes: each box belongs to one group.</source>
-        <translation>向 OpenGL 询问 %1 个盒子，而它们的组共有 %2 个盒子：每个盒子须属于一个组。</translation>
-    </message>
-    <message>
-        <source>It was visible in the frame before: it counts as visible without asking.</source>
-        <translation>上一帧中可见：不询问即视为可见。</translation>
-    </message>
-    <message>
-        <source>There is no answer about it of the frame before: it counts as visible.</source>
-        <translation>没有上一帧关于它的答案：视为可见。</translation>
-    </message>
-    <message>
-        <source>At the end of the frame OpenGL is asked about it, for the next frame: boxes: %1.</source>
-        <translation>在帧末为下一帧就它询问 OpenGL：盒子 %1 个。</translation>
-    </message>
-    <message>
-        <source>By the answers of the frame before it is hidden; it is asked about for the next frame, boxes: %1.</source>
-        <translation>按上一帧的答案它被遮挡；为下一帧再次询问，盒子：%1 个。</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1; it shows before what is drawn.</source>
-        <translation>已就它询问 OpenGL，盒子：%1 个；它在已绘制内容之前可见。</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1; what is drawn hides all of it.</source>
-        <translation>已就它询问 OpenGL，盒子：%1 个；已绘制内容将其完全遮住。</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; of these something shows, so each is asked about by itself.</source>
-        <translation>已就它（盒子：%1 个）与其他组一次询问 OpenGL，共 %2 个组；其中有可见的内容，因此逐个再问。</translation>
-    </message>
-    <message>
-        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; what is drawn hides all of them.</source>
-        <translation>已就它（盒子：%1 个）与其他组一次询问 OpenGL，共 %2 个组；已绘制内容将它们全部遮住。</translation>
-    </message>
-    <message>
-        <source>Its box, grown by %1, reaches before the near plane: it counts as visible without asking.</source>
-        <translation>其扩大 %1 后的盒子伸到近平面之前：不询问即视为可见。</translation>
-    </message>
-    <message>
-        <source>visit the nearest group left</source>
-        <translation>访问剩余组中最近的一个</translation>
-    </message>
-    <message>
-        <source>first, near or visible before: visible</source>
-        <translation>第一个、近处或先前可见：可见</translation>
-    </message>
-    <message>
-        <source>a leaf and due: ask again at the end</source>
-        <translation>是叶且到期：帧末再问</translation>
-    </message>
-    <message>
-        <source>else ask OpenGL, several in one query</source>
-        <translation>否则问 OpenGL，一次查询多个</translation>
-    </message>
-    <message>
-        <source>some of several show: ask one by one</source>
-        <translation>多个中有可见的：逐个再问</translation>
-    </message>
-    <message>
-        <source>visible: visit(parts), nearest first</source>
-        <translation>可见：访问(各部分)，由近及远</translation>
-    </message>
-    <message>
-        <source>Coherent hierarchical culling (CHC++)</source>
-        <translation>连贯层次剔除（CHC++）</translation>
-    </message>
-    <message>
-        <source>Draws what was visible in the frame before, and asks OpenGL about what was hidden, many groups at once.</source>
-        <translation>绘制上一帧可见的内容，并就先前被遮挡的内容一次以多个组询问 OpenGL。</translation>
-    </message>
-    <message>
-        <source>How many frames later answers about hidden groups are used; 0: they are waited for, and nothing is lost.</source>
-        <translation>关于被遮挡组的答案在多少帧之后使用；0：等待答案，不会丢失任何内容。</translation>
-    </message>
-    <message>
-        <source>How many groups that were hidden are gathered before OpenGL is asked about them.</source>
-        <translation>收集多少个先前被遮挡的组之后再询问 OpenGL。</translation>
-    </message>
-    <message>
-        <source>How many groups one query covers at most; 1: each has a query of its own.</source>
-        <translation>一次查询最多涵盖多少个组；1：每个组单独查询。</translation>
-    </message>
-    <message>
-        <source>After how many frames a visible group without parts is asked about again.</source>
-        <translation>没有部分的可见组在多少帧之后再次询问。</translation>
-    </message>
-    <message>
-        <source>After how many frames that is done for the first time.</source>
-        <translation>首次在多少帧之后再次询问。</translation>
-    </message>
-    <message>
-        <source>a random part of these frames, so that the queries spread</source>
-        <translation>这些帧数中随机的一部分，使查询分散</translation>
-    </message>
-    <message>
-        <source>all of these frames</source>
-        <translation>全部这些帧数</translation>
-    </message>
-    <message>
-        <source>How many levels below a group lie the boxes by which it is asked about, at most; 0: by its own box.</source>
-        <translation>询问一个组所用的盒子最多位于其下多少层；0：用它自己的盒子。</translation>
-    </message>
-    <message>
-        <source>How many times the surface of the group&apos;s own box these boxes have together, at most.</source>
-        <translation>这些盒子的表面积之和最多是该组自身盒子的多少倍。</translation>
-=======
         <source>%1, byte %2: the text of the level&apos;s entities cannot be read here. Fetch or compile the level again.</source>
         <translation>%1，字节 %2：此处无法读取关卡的实体文本。请重新获取或编译该关卡。</translation>
     </message>
@@ -7268,7 +7140,134 @@
     <message>
         <source>%1: the instances of the node %2 have transforms of different numbers. Export the file again.</source>
         <translation>%1：节点 %2 的实例变换数量不一致。请重新导出文件。</translation>
->>>>>>> 5ad46626d15a621f402ff65f406bc3bd903bc118
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1; its answers come later</source>
+        <translation>向 OpenGL 询问包围盒：%1 个；答案稍后到来</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1, in groups: %2; its answers come later</source>
+        <translation>向 OpenGL 询问包围盒：%1 个，分为 %2 组；答案稍后到来</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes: %1, in groups: %2; groups hit: %3</source>
+        <translation>向 OpenGL 询问包围盒：%1 个，分为 %2 组；命中的组：%3 个</translation>
+    </message>
+    <message>
+        <source>OpenGL cannot be asked about a group of no boxes.</source>
+        <translation>不能就没有盒子的组询问 OpenGL。</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes, and their groups have %2 boxes: each box belongs to one group.</source>
+        <translation>向 OpenGL 询问 %1 个盒子，而它们的组共有 %2 个盒子：每个盒子须属于一个组。</translation>
+    </message>
+    <message>
+        <source>It was visible in the frame before: it counts as visible without asking.</source>
+        <translation>上一帧中可见：不询问即视为可见。</translation>
+    </message>
+    <message>
+        <source>There is no answer about it of the frame before: it counts as visible.</source>
+        <translation>没有上一帧关于它的答案：视为可见。</translation>
+    </message>
+    <message>
+        <source>At the end of the frame OpenGL is asked about it, for the next frame: boxes: %1.</source>
+        <translation>在帧末为下一帧就它询问 OpenGL：盒子 %1 个。</translation>
+    </message>
+    <message>
+        <source>By the answers of the frame before it is hidden; it is asked about for the next frame, boxes: %1.</source>
+        <translation>按上一帧的答案它被遮挡；为下一帧再次询问，盒子：%1 个。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1; it shows before what is drawn.</source>
+        <translation>已就它询问 OpenGL，盒子：%1 个；它在已绘制内容之前可见。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1; what is drawn hides all of it.</source>
+        <translation>已就它询问 OpenGL，盒子：%1 个；已绘制内容将其完全遮住。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; of these something shows, so each is asked about by itself.</source>
+        <translation>已就它（盒子：%1 个）与其他组一次询问 OpenGL，共 %2 个组；其中有可见的内容，因此逐个再问。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about it, boxes: %1, and others at once, together %2; what is drawn hides all of them.</source>
+        <translation>已就它（盒子：%1 个）与其他组一次询问 OpenGL，共 %2 个组；已绘制内容将它们全部遮住。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, reaches before the near plane: it counts as visible without asking.</source>
+        <translation>其扩大 %1 后的盒子伸到近平面之前：不询问即视为可见。</translation>
+    </message>
+    <message>
+        <source>visit the nearest group left</source>
+        <translation>访问剩余组中最近的一个</translation>
+    </message>
+    <message>
+        <source>first, near or visible before: visible</source>
+        <translation>第一个、近处或先前可见：可见</translation>
+    </message>
+    <message>
+        <source>a leaf and due: ask again at the end</source>
+        <translation>是叶且到期：帧末再问</translation>
+    </message>
+    <message>
+        <source>else ask OpenGL, several in one query</source>
+        <translation>否则问 OpenGL，一次查询多个</translation>
+    </message>
+    <message>
+        <source>some of several show: ask one by one</source>
+        <translation>多个中有可见的：逐个再问</translation>
+    </message>
+    <message>
+        <source>visible: visit(parts), nearest first</source>
+        <translation>可见：访问(各部分)，由近及远</translation>
+    </message>
+    <message>
+        <source>Coherent hierarchical culling (CHC++)</source>
+        <translation>连贯层次剔除（CHC++）</translation>
+    </message>
+    <message>
+        <source>Draws what was visible in the frame before, and asks OpenGL about what was hidden, many groups at once.</source>
+        <translation>绘制上一帧可见的内容，并就先前被遮挡的内容一次以多个组询问 OpenGL。</translation>
+    </message>
+    <message>
+        <source>How many frames later answers about hidden groups are used; 0: they are waited for, and nothing is lost.</source>
+        <translation>关于被遮挡组的答案在多少帧之后使用；0：等待答案，不会丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>How many groups that were hidden are gathered before OpenGL is asked about them.</source>
+        <translation>收集多少个先前被遮挡的组之后再询问 OpenGL。</translation>
+    </message>
+    <message>
+        <source>How many groups one query covers at most; 1: each has a query of its own.</source>
+        <translation>一次查询最多涵盖多少个组；1：每个组单独查询。</translation>
+    </message>
+    <message>
+        <source>After how many frames a visible group without parts is asked about again.</source>
+        <translation>没有部分的可见组在多少帧之后再次询问。</translation>
+    </message>
+    <message>
+        <source>After how many frames that is done for the first time.</source>
+        <translation>首次在多少帧之后再次询问。</translation>
+    </message>
+    <message>
+        <source>a random part of these frames, so that the queries spread</source>
+        <translation>这些帧数中随机的一部分，使查询分散</translation>
+    </message>
+    <message>
+        <source>all of these frames</source>
+        <translation>全部这些帧数</translation>
+    </message>
+    <message>
+        <source>How many levels below a group lie the boxes by which it is asked about, at most; 0: by its own box.</source>
+        <translation>询问一个组所用的盒子最多位于其下多少层；0：用它自己的盒子。</translation>
+    </message>
+    <message>
+        <source>How many times the surface of the group&apos;s own box these boxes have together, at most.</source>
+        <translation>这些盒子的表面积之和最多是该组自身盒子的多少倍。</translation>
+    </message>
+    <message>
+        <source>nothing drawn beyond</source>
+        <translation>此后不再绘制</translation>
     </message>
 </context>
 <context>
