@@ -46,14 +46,23 @@ QRectF inner(const QRectF& place) { return place.adjusted(kMapMargin, 0, -kMapMa
 
 double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) const {
     const double across = width - 2 * kMapMargin;
-    return std::ceil(captionLines(across, metrics) * lineHeight(metrics) + MapLayout::heightFor(across, metrics) +
-                     heightBelow(across, metrics) + kMapMargin);
+    return std::ceil(captionHeight(across, metrics) + MapLayout::heightFor(across, metrics) + heightBelow(across, metrics) +
+                     kMapMargin);
 }
 
 int MapPainter::captionLines(double width, const QFontMetricsF& metrics) const {
     if (!m_brief) return 2;
     if (contents().shown.empty()) return 1;
     return kBold * metrics.horizontalAdvance(translated(contents().shown.map->decisionWords)) > width ? 2 : 1;
+}
+
+double MapPainter::captionHeight(double width, const QFontMetricsF& metrics) const {
+    double line = lineHeight(metrics);
+    // Letters of another font than the metrics' may be higher.
+    if (m_brief && !contents().shown.empty())
+        line = std::max(
+            line, metrics.size(Qt::TextSingleLine, translated(contents().shown.map->decisionWords)).height() + kScaleLeading);
+    return captionLines(width, metrics) * line;
 }
 
 double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const {
@@ -108,7 +117,7 @@ bool MapPainter::captionBeside(const QRectF& place, const QFontMetricsF& metrics
 
 MapLayout MapPainter::layout(const QRectF& place, const QFontMetricsF& metrics) const {
     const QRectF within = inner(place);
-    const double caption = captionBeside(place, metrics) ? 0.0 : captionLines(within.width(), metrics) * lineHeight(metrics);
+    const double caption = captionBeside(place, metrics) ? 0.0 : captionHeight(within.width(), metrics);
     return {within.adjusted(0, caption, 0, -heightBelow(within.width(), metrics) - kMapMargin), metrics};
 }
 

@@ -48,6 +48,8 @@ private:
 
     /// A brief caption that is wider than the map's place has a second line.
     [[nodiscard]] int captionLines(double width, const QFontMetricsF& metrics) const;
+    /// Of all its lines.
+    [[nodiscard]] double captionHeight(double width, const QFontMetricsF& metrics) const;
 
     CellPicture m_cells;
     bool m_brief = false;
