@@ -80,8 +80,6 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     close->setParent(m_tabs);
     m_tabs->tabBar()->setStyle(close);
     layout->addWidget(m_tabs, 1);
-    // Once the pages have read it, too.
-    connect(&m_reader, &SnapshotReader::changed, this, &StructurePanel::needsChanged, Qt::QueuedConnection);
     connect(m_tabs, &QTabWidget::currentChanged, this, [this] {
         emit needsChanged();
         if (!m_showing) m_left = nullptr;
@@ -126,12 +124,19 @@ bool StructurePanel::showsCurve() const {
     return std::ranges::any_of(m_curves, [this](const CurvePanel* curve) { return curve == m_tabs->currentWidget(); });
 }
 
+bool StructurePanel::event(QEvent* event) {
+    const bool done = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest) emit needsChanged();
+    return done;
+}
+
 int StructurePanel::leastBelowMap(int width) const {
     const auto curve = std::ranges::find_if(m_curves, [this](const CurvePanel* one) { return one == m_tabs->currentWidget(); });
     const int needed =
         curve != m_curves.end() ? (*curve)->neededHeight(width) : m_tabs->currentWidget()->minimumSizeHint().height();
     const int gaps = layout()->contentsMargins().top() + layout()->spacing();
-    return gaps + m_tabs->tabBar()->sizeHint().height() + needed;
+    // The tabs are at least as high as the highest page asks for, also behind the one in front.
+    return gaps + std::max(m_tabs->tabBar()->sizeHint().height() + needed, m_tabs->minimumSizeHint().height());
 }
 
 std::string StructurePanel::page() const { return m_tabs->currentWidget()->objectName().toStdString(); }

@@ -58,6 +58,7 @@ signals:
     void needsChanged();
 
 protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

@@ -104,8 +104,8 @@ void LectureWindow::arrangePanes(const QRect& place) {
     QRect inside(pictures.right() + 1 + margin, place.top(), std::max(0, side - 2 * margin), place.height());
     const double ofMap = m_structure->showsCurve() ? kMapShareByCurve : kMapShare;
     int strip = int(ofMap * inside.height());
-    if (m_structure->showsCurve())
-        strip = std::min(strip, std::max(scaled(kLeastMap), inside.height() - m_structure->leastBelowMap(inside.width())));
+    m_belowMap = m_structure->leastBelowMap(inside.width());
+    if (structure) strip = std::min(strip, std::max(scaled(kLeastMap), inside.height() - m_belowMap));
     // No higher than the map beside the watching view needs: the listing below has ten lines.
     const int widest = watched ? std::min(int(kShapeOfPicture * strip), int(kWatchingWidth * inside.width())) : 0;
     if (map) strip = std::min(strip, m_structure->map().map().wholeHeight(inside.width() - widest - scaled(kPaneGap)));

@@ -80,7 +80,10 @@ void LectureWindow::follow() {
     for (const auto signal : {&Session::activeViewChanged, &Session::questionChanged})
         connect(&m_session, signal, this, &LectureWindow::refresh);
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
-    connect(m_structure, &StructurePanel::needsChanged, this, &LectureWindow::arrange);
+    const auto fit = [this] {
+        if (m_structure->leastBelowMap(m_structure->width()) != m_belowMap) arrange();
+    };
+    connect(m_structure, &StructurePanel::needsChanged, this, fit, Qt::QueuedConnection);
 }
 
 void LectureWindow::makeFoot() {

@@ -96,6 +96,7 @@ private:
     QLabel* m_software = nullptr;  ///< badge beside the speed: software OpenGL
     QPushButton *m_back, *m_next;
     PointerSpot* m_spot;
+    int m_belowMap = 0;  ///< the height for which there is room below the map
     bool m_alone = false;
     bool m_blank = false;
     bool m_revealed = false;
