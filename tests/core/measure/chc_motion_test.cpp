@@ -1,6 +1,7 @@
 // `occlusion-chc` with the memory of a view that moves: where it waits for the answers, no sample differs from the picture of all
 // objects, in any frame and whatever the memory holds.
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -26,6 +27,9 @@ CullerPointer culler(const Settings& settings) {
     for (const auto& [key, value] : settings) parameters.setFromText(key, value);
     return makeCuller("occlusion-chc", parameters);
 }
+
+/// At least three: a single crowd may hide little.
+uint64_t crowds() { return std::max<uint64_t>(howMany(120, 6), 3); }
 
 struct Tally {
     uint64_t frames = 0, covered = 0, hidden = 0, different = 0;
@@ -67,13 +71,13 @@ void report(const char* name, const Tally& tally) {
                 static_cast<unsigned long long>(tally.frames), static_cast<unsigned long long>(tally.covered),
                 static_cast<unsigned long long>(tally.hidden), static_cast<unsigned long long>(tally.different));
     EXPECT_GT(tally.covered, tally.frames * 100);
-    EXPECT_GT(tally.hidden, tally.frames * 30) << "the views hide next to nothing";
+    EXPECT_GT(tally.hidden, tally.frames * 50) << "the views hide next to nothing";
 }
 
 TEST(ChcMotion, nothingIsLostOnWalksThroughCrowdsThatTurnBy180DegreesASecond) {
     constexpr double kStep = 180.0 / 60.0;  // degrees a frame
     Tally tally;
-    for (uint64_t seed = 1; seed <= howMany(120, 6); ++seed) {
+    for (uint64_t seed = 1; seed <= crowds(); ++seed) {
         const ScenePointer scene = crowd(seed);
         Motion motion(scene);
         Random random(seed * 104729);
@@ -96,7 +100,7 @@ TEST(ChcMotion, nothingIsLostWhereViewsLeapAndPicturesHaveAnySize) {
     constexpr std::array kSizes{Viewport{1, 1},  Viewport{1025, 3}, Viewport{3, 1025}, Viewport{129, 65},
                                 Viewport{1, 97}, Viewport{257, 1},  Viewport{63, 127}, Viewport{5, 7}};
     Tally tally;
-    for (uint64_t seed = 1; seed <= howMany(120, 6); ++seed) {
+    for (uint64_t seed = 1; seed <= crowds(); ++seed) {
         const ScenePointer scene = crowd(seed + 1000);
         Motion motion(scene);
         Random random(seed * 15485863);
