@@ -8,6 +8,7 @@ namespace cullscope {
 
 std::vector<unsigned> BoxQueries::take(size_t count) {
     const std::lock_guard lock(m_mutex);
+    collect(count);
     if (m_unused.size() < count) {
         std::vector<unsigned> made(count - m_unused.size());
         glCreateQueries(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, static_cast<GLsizei>(made.size()), made.data());
@@ -20,9 +21,23 @@ std::vector<unsigned> BoxQueries::take(size_t count) {
     return taken;
 }
 
-void BoxQueries::giveBack(std::span<const unsigned> queries) {
+void BoxQueries::collect(size_t count) {
+    while (m_unused.size() < count && !m_unread.empty()) {
+        GLuint there = GL_FALSE;
+        glGetQueryObjectuiv(m_unread.front(), GL_QUERY_RESULT_AVAILABLE, &there);
+        if (there == GL_FALSE) return;
+        m_unused.push_back(m_unread.front());
+        m_unread.pop_front();
+    }
+}
+
+void BoxQueries::giveBack(std::span<const unsigned> queries, bool answered) {
     const std::lock_guard lock(m_mutex);
-    if (!m_closed) m_unused.insert(m_unused.end(), queries.begin(), queries.end());
+    if (m_closed) return;
+    if (answered)
+        m_unused.insert(m_unused.end(), queries.begin(), queries.end());
+    else
+        m_unread.insert(m_unread.end(), queries.begin(), queries.end());
 }
 
 void BoxQueries::close() {
@@ -30,6 +45,7 @@ void BoxQueries::close() {
     glDeleteQueries(static_cast<GLsizei>(m_all.size()), m_all.data());
     m_all.clear();
     m_unused.clear();
+    m_unread.clear();
     m_closed = true;
 }
 

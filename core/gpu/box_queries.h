@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -11,19 +12,25 @@
 namespace cullscope {
 
 /// OpenGL's query objects of one context, which are used again. Tickets are given back on any thread, and also when the context
-/// is gone: only `take` and `close` call OpenGL.
+/// is gone: only `take` and `close` call OpenGL. A query is used again once its answer is there: a software OpenGL may still
+/// count samples for a question that was given up, and would add them to those of the next one.
 class BoxQueries {
 public:
     /// So many queries. Needs the context.
     [[nodiscard]] std::vector<unsigned> take(size_t count);
-    void giveBack(std::span<const unsigned> queries);
+    /// `answered`: whether their answers were read.
+    void giveBack(std::span<const unsigned> queries, bool answered);
     /// Deletes all queries, also those that were not given back. Needs the context.
     void close();
     [[nodiscard]] bool closed() const;
 
 private:
+    /// Moves those whose answers are there by now to the unused ones, oldest first, until there are so many.
+    void collect(size_t count);
+
     mutable std::mutex m_mutex;
     std::vector<unsigned> m_all, m_unused;
+    std::deque<unsigned> m_unread;  ///< given back without a look at their answers, oldest first
     bool m_closed = false;
 };
 
@@ -32,7 +39,7 @@ class AskedTicket final : public BoxTicket {
 public:
     /// Needs the context of `pool`.
     AskedTicket(std::shared_ptr<BoxQueries> pool, size_t queries) : m_pool(std::move(pool)), m_queries(m_pool->take(queries)) {}
-    ~AskedTicket() override { m_pool->giveBack(m_queries); }
+    ~AskedTicket() override { m_pool->giveBack(m_queries, m_answer.has_value()); }
 
     [[nodiscard]] std::span<const unsigned> queries() const { return m_queries; }
     /// The numbers of the queries that passed; none in a context that is not that of `pool`.

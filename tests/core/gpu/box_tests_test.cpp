@@ -159,6 +159,29 @@ TEST(BoxQueries, queriesOfTicketsThatAreGoneAreUsedAgain) {
     }
 }
 
+TEST(BoxQueries, questionThatWasGivenUpDoesNotSpoilTheNextOne) {
+    // A frame asks at its end and is forgotten with its picture; the next one asks what a wall at distance 3 hides.
+    const ScenePointer scene = sceneOf({squareMesh(20, -3)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Renderer& renderer = GlEnvironment::renderer();
+    const std::vector<EyeBox> before(64, box({-2, -2, -2.5}, {2, 2, -2})), behind{box({-1, -1, -6}, {1, 1, -4})};
+    const auto drawn = [&](const Viewport& size) {
+        auto target = std::make_unique<Framebuffer>(size);
+        renderer.draw(buffers, standardView(size), everything(*scene, Facing::TwoSided), *target);
+        return target;
+    };
+    constexpr int kRounds = 300;
+    for (int i = 0; i < kRounds; ++i) {
+        (void)renderer.askBoxes(standardView({300, 300}), before, *drawn({300, 300}));
+        const Viewport size{96, 64};
+        EXPECT_THAT(renderer.queryBoxes(standardView(size), behind, *drawn(size)), IsEmpty()) << "round " << i;
+    }
+    GLuint next = 0;
+    glGenQueries(1, &next);
+    glDeleteQueries(1, &next);
+    EXPECT_LT(next, 100u * before.size()) << "those of questions that were given up are used again, too";
+}
+
 TEST(BoxQueries, frameLogsAQuestionWithoutItsAnswerAndNeedsOpenGl) {
     const ScenePointer scene = sceneOf({squareMesh(20, -3)});
     const SceneBuffers buffers(scene, Upload::Vbo);
