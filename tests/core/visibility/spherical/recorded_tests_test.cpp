@@ -257,8 +257,9 @@ TEST(RecordedTests, pictureAndMapGrowSectorBySectorWhereBandsDecide) {
     EXPECT_EQ(before, frame.consideredTriangles);
     EXPECT_GT(growths, 100u);
     EXPECT_GT(sectors, 10u);
-    const auto& whole = strategy.directionMap("index-map", frame.log)->source->states();
-    EXPECT_EQ(std::ranges::count(whole, std::optional(TriangleState::Undecided)), 0);
+    const CellMapPointer whole = strategy.directionMap("index-map", frame.log);
+    ASSERT_TRUE(whole);
+    EXPECT_EQ(std::ranges::count(whole->source->states(), std::optional(TriangleState::Undecided)), 0);
 }
 
 TEST(RecordedTests, partOfALogKnowsNothingOfObjectsThatWereDecidedLater) {
