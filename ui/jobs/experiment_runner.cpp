@@ -187,6 +187,8 @@ void ExperimentRunner::measure(const std::shared_ptr<Ready>& ready) {
         }
         if (!outcome) return step.again();
         bench->end();
+        // The structures are not held by the job, which this thread keeps for a moment after the result has been delivered.
+        ready->contestants = {};
         step.deliver([this, ended = *outcome] { deliver(ended); });
     });
 }

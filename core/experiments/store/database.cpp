@@ -3,13 +3,16 @@
 #include <sqlite3.h>
 
 #include <cerrno>
+#include <chrono>
+#include <thread>
 
 #include "core/base/error.h"
 
 namespace cullscope::store {
 namespace {
 
-constexpr int kPatience = 30'000;  // milliseconds that another program may write
+constexpr std::chrono::milliseconds kPatience{30'000};  // that another program may write
+constexpr std::chrono::milliseconds kBetweenTries{2};
 
 }  // namespace
 
@@ -24,7 +27,7 @@ Database::Database(const std::filesystem::path& file, Access access) : m_file(fi
     const int opened = sqlite3_open_v2(name.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | mayMake, nullptr);
     m_handle.reset(handle);
     if (opened != SQLITE_OK) fail(opened);
-    sqlite3_busy_timeout(handle, kPatience);
+    sqlite3_busy_timeout(handle, int(kPatience.count()));
     // What a file claims of itself is not trusted: its text must not call functions, nor may writing change its pages by hand.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
@@ -35,6 +38,17 @@ Database::Database(const std::filesystem::path& file, Access access) : m_file(fi
 
 void Database::run(const char* sql) const {
     if (const int answer = sqlite3_exec(m_handle.get(), sql, nullptr, nullptr, nullptr); answer != SQLITE_OK) fail(answer);
+}
+
+void Database::useWriteAheadLog() const {
+    // SQLite does not wait here for a program that does the same at this moment: it answers that the file is busy.
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (true) {
+        const int answer = sqlite3_exec(m_handle.get(), "PRAGMA journal_mode = WAL", nullptr, nullptr, nullptr);
+        if (answer == SQLITE_OK) return;
+        if ((answer & 0xff) != SQLITE_BUSY || std::chrono::steady_clock::now() >= end) fail(answer);
+        std::this_thread::sleep_for(kBetweenTries);
+    }
 }
 
 int64_t Database::newestRow() const { return sqlite3_last_insert_rowid(m_handle.get()); }

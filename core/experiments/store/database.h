@@ -23,6 +23,8 @@ public:
     Database(const std::filesystem::path& file, Access access);
 
     void run(const char* sql) const;
+    /// Writes into a log beside the file from now on (`PRAGMA journal_mode = WAL`), so that others read while one writes.
+    void useWriteAheadLog() const;
     [[nodiscard]] int64_t newestRow() const;
     [[nodiscard]] const std::filesystem::path& file() const { return m_file; }
 

@@ -172,7 +172,7 @@ void ResultStore::bringToVersion() const {
     };
     refuseOthers();
     if (version() == kVersion) return;
-    m_database.run("PRAGMA journal_mode = WAL");
+    m_database.useWriteAheadLog();
     Transaction transaction(m_database);
     // Another program may have been faster.
     refuseOthers();
