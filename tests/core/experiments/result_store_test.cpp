@@ -26,8 +26,8 @@ protected:
 };
 
 TEST_F(ResultStores, thatSeveralMakeAtTheSameMomentAreOpenedByEach) {
-    constexpr size_t kMakers = 4;
-    const uint64_t rounds = howMany(1'000, 100);
+    constexpr size_t kMakers = 12;
+    const uint64_t rounds = howMany(1'000, 40);
     for (uint64_t round = 0; round < rounds; ++round) {
         const std::filesystem::path file = m_folder / std::to_string(round);
         std::barrier atOnce(kMakers);
