@@ -23,10 +23,27 @@ constexpr uint64_t kAllViews = 5'000;
 constexpr uint64_t kSample = 250;
 constexpr uint64_t kViewsPerScene = 10;
 
-Accuracy accuracyOf(Culler& strategy, const SceneBuffers& buffers, const View& view) {
-    const Culled frame = strategy.cull(view);
+Accuracy accuracyOf(Culler& strategy, const SceneBuffers& buffers, const View& view, const Culled& frame) {
     const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy.referenceFacing());
-    return compare(reference, {picture(buffers, view, frame.drawList).depth, {}}, frame.drawList, buffers.scene());
+    ShownPixels shown{picture(buffers, view, frame.drawList).depth, {}};
+    Accuracy accuracy = compare(reference, shown, frame.drawList, buffers.scene());
+    if (accuracy.extraPixels == 0) return accuracy;
+    // Snapping may turn a sliver's front into its back. Mesa decides before or after it, by what else lies in the same batch of
+    // vertices: alone, such a triangle is drawn, and among others it is not.
+    const Reference bothSides = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
+    shown.triangle.resize(shown.depth.size());
+    accuracy.extraPixels = 0;
+    for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
+        if (shown.depth[pixel] == bothSides.depth[pixel]) shown.triangle[pixel] = bothSides.triangle[pixel];
+        const bool extra = pixelDifference(reference.depth[pixel], shown.depth[pixel]) == PixelDifference::Extra;
+        if (extra && shown.triangle[pixel] == 0) ++accuracy.extraPixels;
+    }
+    accuracy.extraPixels += extraBeyondSnapping(reference, shown, buffers.scene(), view);
+    return accuracy;
+}
+
+Accuracy accuracyOf(Culler& strategy, const SceneBuffers& buffers, const View& view) {
+    return accuracyOf(strategy, buffers, view, strategy.cull(view));
 }
 
 MeshPointer starShaped(uint64_t seed) {
@@ -90,17 +107,16 @@ struct Tally {
 class HorizonPicture {
 public:
     void run(uint64_t views) {
-        for (uint64_t first = 0; first < views; first += kViewsPerScene) {
-            const uint64_t seed = 2000 + first / kViewsPerScene;
-            const ScenePointer scene = starScene(seed);
-            const SceneBuffers buffers(scene, Upload::Vbo);
-            const CullerPointer strategy = strategyWith("spherical-horizon", {{"rows", seed % 2 == 0 ? "90" : "0"}});
-            strategy->build(*scene);
-            ASSERT_EQ(strategy->promise(), Promise::Conservative) << "seed " << seed;
-            Random random(seed * 7919);
-            for (uint64_t view = 0; view < kViewsPerScene; ++view)
-                check(*strategy, buffers, starView(*scene, random), seed, view);
-        }
+        for (uint64_t first = 0; first < views; first += kViewsPerScene) runScene(2000 + first / kViewsPerScene);
+    }
+    void runScene(uint64_t seed) {
+        const ScenePointer scene = starScene(seed);
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        const CullerPointer strategy = strategyWith("spherical-horizon", {{"rows", seed % 2 == 0 ? "90" : "0"}});
+        strategy->build(*scene);
+        ASSERT_EQ(strategy->promise(), Promise::Conservative) << "seed " << seed;
+        Random random(seed * 7919);
+        for (uint64_t view = 0; view < kViewsPerScene; ++view) check(*strategy, buffers, starView(*scene, random), seed, view);
     }
     [[nodiscard]] const Tally& tally() const { return m_tally; }
 
@@ -117,7 +133,7 @@ private:
         }
         m_tally.culled += frame.culledTriangles[size_t(Cause::Hidden)];
         m_tally.triangles += buffers.scene().triangleCount();
-        const Accuracy accuracy = accuracyOf(strategy, buffers, view);
+        const Accuracy accuracy = accuracyOf(strategy, buffers, view, frame);
         m_tally.covered += accuracy.coveredPixels;
         m_tally.missed += accuracy.missedPixels;
         EXPECT_EQ(accuracy.missedPixels + accuracy.extraPixels, 0u)
@@ -130,6 +146,7 @@ private:
 TEST(SphericalPicture, horizonLosesNoPixelOfAStarShapedMesh) {
     HorizonPicture property;
     property.run(howMany(kAllViews, kSample));
+    property.runScene(2453);  // a sliver at an outline, whose front is drawn alone and dropped among others
     const Tally& t = property.tally();
     std::printf("long: spherical-horizon views %llu cut %llu within %llu around %llu covered %llu hidden %.1f%% missed %llu\n",
                 static_cast<unsigned long long>(t.views), static_cast<unsigned long long>(t.cut),
