@@ -1,6 +1,6 @@
 # A layer is a folder of core with all sources below it, those in subfolders included. cullscope_layer(NAME [SOURCES generated
 # files] [EXCEPT folder of another target] [LINKS …] [PRIVATE_LINKS …] [QUICK]) makes one static library of it. QUICK: tests
-# spend little time in its code, so that under the sanitizers its compilation is not optimised, which takes less than half as long.
+# spend little time in its code, so that in the builds for tests its compilation is not optimised, which takes half as long.
 function(cullscope_layer name)
   cmake_parse_arguments(ARG "QUICK" "EXCEPT" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
@@ -10,8 +10,8 @@ function(cullscope_layer name)
   add_library(cullscope_${name} STATIC ${sources} ${ARG_SOURCES})
   add_library(cullscope::${name} ALIAS cullscope_${name})
   target_compile_options(cullscope_${name} PRIVATE ${CULLSCOPE_CORE_OPTIONS})
-  if(CULLSCOPE_SANITIZE AND ARG_QUICK AND NOT CULLSCOPE_FUZZERS)
-    target_compile_options(cullscope_${name} PRIVATE -O0)
+  if(ARG_QUICK AND NOT CULLSCOPE_FUZZERS)
+    target_compile_options(cullscope_${name} PRIVATE $<$<CONFIG:None>:-O0>)
   endif()
   if(CULLSCOPE_SANITIZE)
     # Without what the address sanitizer tells as well, which costs a quarter of the compilation: accesses through null pointers
