@@ -73,12 +73,22 @@ private:
             4.0;
     }
 
+    void addAngleWords() {
+        m_bottom =
+            addText(m_page,
+                    say(CULLSCOPE_TR("α is the angle from the sight ray, seen from the middle of the sphere: the paper's near "
+                                     "half, up to 180° across, has α up to 90°.")),
+                    {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text) +
+            4.0;
+    }
+
     [[nodiscard]] PageLegendEntry backSign() const {
         return {{Shape::Area, plotColour(backColour(m_style.background))}, say(CULLSCOPE_TR("back sides of what is drawn"))};
     }
 
     void sampling() {
         addCameraWords();
+        addAngleWords();
         const Viewport size = pictureSize();
         addPicture(size, drawn(m_log, observer(size), {"bands", "back-sides"}));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
@@ -142,6 +152,7 @@ private:
 
     void hidden() {
         addCameraWords();
+        addAngleWords();
         const Viewport size = pictureSize();
         addPicture(size, drawn(m_log, observer(size), {"verdicts"},
                                [&](const OverlayContext& context) { return contoursOnSurface(context, *m_map, kLeastContour); }));
@@ -152,11 +163,14 @@ private:
                            {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text);
         const TriangleStates states = statesAgainstTruth(m_log);
         addMap(m_log, "state", &states);
+        m_bottom = addText(m_page, say(CULLSCOPE_TR("White cells: no triangle has its centroid there.")), {kMargin, m_bottom},
+                           inner(), m_look.style, m_look.style.text);
     }
 
     /// Four pictures: the paper's two, from the eye and from the opposite side, and below them what shows that the surface is an
     /// open shell: from the side, and cut open.
     void frontAndBack() {
+        if (const CellMapPointer map = strategy().directionMap("index-map", m_log)) addWords(map->decisionWords);
         const int half = int(inner() - kBesideBands) / 2;
         const Viewport size{half, half * 3 / 4};
         const Vec3& centre = scene().boundingSphere().centre;
@@ -181,7 +195,7 @@ private:
         side.cutBy(section);
         std::vector<uint8_t> open = drawnOpen(side, section);
         darkenHollow(m_log, side, open);
-        addPictures(size, {{std::move(beside), CULLSCOPE_TR("from the side, as in Figures 5 to 7, with what was left out")},
+        addPictures(size, {{std::move(beside), CULLSCOPE_TR("from the side, as in Figures 5 to 7, with what is left out")},
                            {std::move(open), CULLSCOPE_TR("the same cut open along the sight ray")}});
         const PlotColour dark = plotColour(contrastTo(m_style.background));
         addLegendBelow({{{Shape::Area, plotColour(m_style.surface)}, say(CULLSCOPE_TR("front sides of what is drawn"))},
@@ -192,7 +206,8 @@ private:
                         {{Shape::Line, plotColour(paleLine(m_style)), 2.5}, say(CULLSCOPE_TR("cut through what is not drawn"))},
                         {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
                         {{Shape::Area, stateColour(TriangleState::WronglyCulled)},
-                         m_look.say({CULLSCOPE_TR("lost: %1 of the pixels that the object covers"), {Term::share(lost)}})}},
+                         m_look.say({CULLSCOPE_TR("visible, but hidden by S: %1 of the pixels that the object covers"),
+                                     {Term::share(lost)}})}},
                        0.0);
     }
 

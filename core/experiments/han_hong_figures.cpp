@@ -41,9 +41,9 @@ public:
         moveBy(chart, {kMargin, m_bottom});
         std::ranges::move(chart.items, std::back_inserter(m_page.drawing.items));
         m_bottom += height;
-        std::vector<PageLegendEntry> entries{
-            {{Shape::Area, FlowColours{}.passed, 1.5, FlowColours{}.way},
-             say(m_request.step ? CULLSCOPE_TR("the way taken until then") : CULLSCOPE_TR("the way of a view of this case"))}};
+        std::vector<PageLegendEntry> entries{{{Shape::Area, FlowColours{}.passed, 1.5, FlowColours{}.way},
+                                              say(m_request.step ? CULLSCOPE_TR("the way taken until then")
+                                                                 : CULLSCOPE_TR("the way of the view in this figure"))}};
         if (m_request.step)
             entries.insert(entries.begin(), {{Shape::Area, FlowColours{}.lit},
                                              m_look.say({CULLSCOPE_TR("the step in hand: %1 of %2"),
@@ -76,9 +76,7 @@ const char* figureTitle(int number) {
     return number >= 1 && number <= kFigures ? kTitles[size_t(number - 1)] : "";
 }
 
-std::string figureStrategy(int number) {
-    return number >= 5 && number <= 7 ? fmt::format("{}:band=15", kShownStrategy) : kShownStrategy;
-}
+std::string figureStrategy(int number) { return number >= 5 ? fmt::format("{}:band=15", kShownStrategy) : kShownStrategy; }
 
 Figure figure(const FigureRequest& request, const PageLook& look, const Progress& progress) {
     switch (request.number) {

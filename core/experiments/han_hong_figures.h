@@ -16,7 +16,7 @@ inline constexpr const char* kShownStrategy = "spherical";
 /// What each figure shows, in the paper's words; marked for translation.
 [[nodiscard]] const char* figureTitle(int number);
 
-/// The strategy that a figure shows, as strategyFromText reads it: in Figures 5 to 7 with bands of 15°, so that each can be told
+/// The strategy that a figure shows, as strategyFromText reads it: in Figures 5 to 8 with bands of 15°, so that each can be told
 /// from its neighbours. The paper does not say how wide its bands are.
 [[nodiscard]] std::string figureStrategy(int number);
 

@@ -6878,10 +6878,6 @@
         <translation>뒷면: 반대쪽에서, 빈 껍질 속을 들여다봄</translation>
     </message>
     <message>
-        <source>from the side, as in Figures 5 to 7, with what was left out</source>
-        <translation>그림 5~7처럼 옆에서, 그리지 않은 부분과 함께</translation>
-    </message>
-    <message>
         <source>the same cut open along the sight ray</source>
         <translation>같은 것을 시선을 따라 잘라 연 모습</translation>
     </message>
@@ -6896,14 +6892,6 @@
     <message>
         <source>cut through what is not drawn</source>
         <translation>그리지 않는 부분의 단면</translation>
-    </message>
-    <message>
-        <source>lost: %1 of the pixels that the object covers</source>
-        <translation>손실: 물체가 덮는 화소의 %1</translation>
-    </message>
-    <message>
-        <source>the way of a view of this case</source>
-        <translation>이 경우의 한 시점이 지나는 길</translation>
     </message>
     <message>
         <source>the same point P in both</source>
@@ -7268,6 +7256,26 @@
     <message>
         <source>nothing drawn beyond</source>
         <translation>이 너머로는 그리지 않음</translation>
+    </message>
+    <message>
+        <source>α is the angle from the sight ray, seen from the middle of the sphere: the paper&apos;s near half, up to 180° across, has α up to 90°.</source>
+        <translation>α는 구의 중심에서 본 시선과의 각도이다. 논문이 말하는 180°까지의 가까운 쪽 절반은 α가 90° 이하이다.</translation>
+    </message>
+    <message>
+        <source>White cells: no triangle has its centroid there.</source>
+        <translation>흰 칸: 무게중심이 그곳에 있는 삼각형이 없다.</translation>
+    </message>
+    <message>
+        <source>from the side, as in Figures 5 to 7, with what is left out</source>
+        <translation>옆에서(그림 5~7과 같음), 그리지 않는 부분과 함께</translation>
+    </message>
+    <message>
+        <source>visible, but hidden by S: %1 of the pixels that the object covers</source>
+        <translation>보이지만 S로 숨겨짐: 물체가 덮는 화소의 %1</translation>
+    </message>
+    <message>
+        <source>the way of the view in this figure</source>
+        <translation>이 그림의 시점이 지나는 길</translation>
     </message>
 </context>
 <context>

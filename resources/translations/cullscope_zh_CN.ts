@@ -6878,10 +6878,6 @@
         <translation>背面：从对面看进空壳</translation>
     </message>
     <message>
-        <source>from the side, as in Figures 5 to 7, with what was left out</source>
-        <translation>从侧面看（同图 5 至图 7），连同未绘制的部分</translation>
-    </message>
-    <message>
         <source>the same cut open along the sight ray</source>
         <translation>同上，沿视线剖开</translation>
     </message>
@@ -6896,14 +6892,6 @@
     <message>
         <source>cut through what is not drawn</source>
         <translation>未绘制部分的截线</translation>
-    </message>
-    <message>
-        <source>lost: %1 of the pixels that the object covers</source>
-        <translation>丢失：物体所覆盖像素的 %1</translation>
-    </message>
-    <message>
-        <source>the way of a view of this case</source>
-        <translation>此情形的一个视图所走的路径</translation>
     </message>
     <message>
         <source>the same point P in both</source>
@@ -7268,6 +7256,26 @@
     <message>
         <source>nothing drawn beyond</source>
         <translation>此后不再绘制</translation>
+    </message>
+    <message>
+        <source>α is the angle from the sight ray, seen from the middle of the sphere: the paper&apos;s near half, up to 180° across, has α up to 90°.</source>
+        <translation>α 是从球心看去与视线的夹角：论文所说 180° 以内的近侧一半，其 α 不超过 90°。</translation>
+    </message>
+    <message>
+        <source>White cells: no triangle has its centroid there.</source>
+        <translation>白色单元：没有三角形的质心落在其中。</translation>
+    </message>
+    <message>
+        <source>from the side, as in Figures 5 to 7, with what is left out</source>
+        <translation>从侧面看（同图 5 至 7），连同未绘制的部分</translation>
+    </message>
+    <message>
+        <source>visible, but hidden by S: %1 of the pixels that the object covers</source>
+        <translation>可见但被 S 隐藏：占物体所覆盖像素的 %1</translation>
+    </message>
+    <message>
+        <source>the way of the view in this figure</source>
+        <translation>本图视图所走的路径</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,11 @@ size_t rowsOf(const ResultTable& table, const std::string& kind) {
     return count;
 }
 
+TEST(HanHongFigures, fiveToEightShowTheSameBands) {
+    for (const int number : {6, 7, 8}) EXPECT_EQ(han_hong::figureStrategy(number), han_hong::figureStrategy(5)) << number;
+    EXPECT_NE(han_hong::figureStrategy(5), han_hong::figureStrategy(4));
+}
+
 TEST(HanHongFigures, eachHasATitleAndStaysOnItsPage) {
     const ScenePointer scene = body();
     for (int number = 1; number <= han_hong::kFigures; ++number) {
@@ -169,7 +174,7 @@ TEST(HanHongFigures, flowChartWithoutAStepHasNoStepInHand) {
     const std::vector<std::string> words =
         wordsOf(made(1, body(), [](han_hong::FigureRequest& request) { request.width = 1000.0; }).page);
     EXPECT_THAT(words, Contains(testing::StartsWith("Case 2")));
-    for (const char* wanted : {"Once for each mesh", "For each object, in every frame", "the way of a view of this case"})
+    for (const char* wanted : {"Once for each mesh", "For each object, in every frame", "the way of the view in this figure"})
         EXPECT_THAT(words, Contains(wanted));
     EXPECT_THAT(words, testing::Not(Contains(testing::StartsWith("the step in hand"))));
 }
@@ -236,7 +241,7 @@ TEST(HanHongFigures, threeComparesTheRayWithItsCells) {
 }
 
 TEST(HanHongFigures, eightSaysOfWhatAShareIsLost) {
-    EXPECT_THAT(wordsOf(made(8, body()).page), Contains(testing::ContainsRegex("lost: .* of the pixels that the object covers")));
+    EXPECT_THAT(wordsOf(made(8, body()).page), Contains(testing::ContainsRegex("hidden by S: .* of the pixels that the object covers")));
 }
 
 TEST(HanHongFigures, threeSaysTheCaseTheEyeAndTheNumbersOfTheRays) {
