@@ -241,7 +241,8 @@ TEST(HanHongFigures, threeComparesTheRayWithItsCells) {
 }
 
 TEST(HanHongFigures, eightSaysOfWhatAShareIsLost) {
-    EXPECT_THAT(wordsOf(made(8, body()).page), Contains(testing::ContainsRegex("hidden by S: .* of the pixels that the object covers")));
+    EXPECT_THAT(wordsOf(made(8, body()).page),
+                Contains(testing::ContainsRegex("hidden by S: .* of the pixels that the object covers")));
 }
 
 TEST(HanHongFigures, threeSaysTheCaseTheEyeAndTheNumbersOfTheRays) {
