@@ -7397,6 +7397,10 @@
         <source>Proofs of what is hidden</source>
         <translation>가려진 것의 증명</translation>
     </message>
+    <message>
+        <source>Whether a cell&apos;s sampled set also has what the cells beside it see.</source>
+        <translation>셀의 표본 집합에 옆 셀들이 보는 것도 넣을지.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7397,6 +7397,10 @@
         <source>Proofs of what is hidden</source>
         <translation>证明哪些被遮挡</translation>
     </message>
+    <message>
+        <source>Whether a cell&apos;s sampled set also has what the cells beside it see.</source>
+        <translation>单元的采样集合是否也包含相邻单元所见的内容。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

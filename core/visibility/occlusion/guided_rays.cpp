@@ -17,16 +17,9 @@ constexpr double kLeastBorder = 1e-4;
 constexpr double kBefore = 0.98;
 constexpr uint64_t kTurnsBetweenLooks = 1024;  // for a stop request
 
-/// A point of a cell, two of three times on a side, an edge or a corner: from there one sees round what is in the way, more than
-/// from within.
 Vec3 pointIn(const Box3& box, Random& random) {
-    constexpr double kOnSide = 0.3;  // along each axis
-    Vec3 share;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double along = random.unit();
-        share[axis] = along < 0.5 * kOnSide ? 0.0 : along < kOnSide ? 1.0 : random.unit();
-    }
-    return box.min + (box.max - box.min) * share;
+    const double x = random.unit(), y = random.unit(), z = random.unit();
+    return box.min + (box.max - box.min) * Vec3(x, y, z);
 }
 
 /// Uniform over its area (Osada et al. 2002).
@@ -74,14 +67,6 @@ public:
         return m_shot;
     }
 
-    void shootAt(uint32_t instance) {
-        const Vec3 from = pointIn(m_cell, m_random);
-        const uint64_t triangle = m_random.bits() % m_scene.meshOf(instance).triangleCount();
-        shoot(from, pointOn(cornersOf(instance, uint32_t(triangle)), m_random) - from);
-    }
-
-    [[nodiscard]] uint64_t shot() const { return m_shot; }
-
 private:
     struct Found {
         Vec3 from;
@@ -93,6 +78,12 @@ private:
         if (m_newlySeen) std::erase_if(m_unseen, [&](uint32_t instance) { return m_seen[instance] != 0; });
         m_newlySeen = false;
         return !m_unseen.empty();
+    }
+
+    void shootAt(uint32_t instance) {
+        const Vec3 from = pointIn(m_cell, m_random);
+        const uint64_t triangle = m_random.bits() % m_scene.meshOf(instance).triangleCount();
+        shoot(from, pointOn(cornersOf(instance, uint32_t(triangle)), m_random) - from);
     }
 
     [[nodiscard]] TriangleCorners cornersOf(uint32_t instance, uint32_t triangle) const {
@@ -175,16 +166,6 @@ private:
 uint64_t GuidedRays::sample(const Box3& cell, const Options& options, Work& work, std::vector<uint8_t>& seen,
                             const Progress& progress) const {
     return OfCell(*this, cell, options.seed, seen).run(options.rays, work, progress);
-}
-
-uint64_t GuidedRays::lookFor(const Box3& cell, std::span<const uint32_t> objects, uint64_t count, uint64_t seed,
-                             std::vector<uint8_t>& seen, const Progress& progress) const {
-    OfCell rays(*this, cell, seed, seen);
-    for (const uint32_t object : objects) {
-        progress.check();
-        for (uint64_t i = 0; i < count && seen[object] == 0; ++i) rays.shootAt(object);
-    }
-    return rays.shot();
 }
 
 }  // namespace cullscope::occlusion

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/geometry/random.h"
@@ -37,9 +36,6 @@ public:
     /// for where everything is seen. Throws Error(Interrupted) soon after a stop is requested.
     [[nodiscard]] uint64_t sample(const Box3& cell, const Options& options, Work& work, std::vector<uint8_t>& seen,
                                   const Progress& progress = {}) const;
-    /// The same by rays to `count` random points of each of these objects that is not seen.
-    [[nodiscard]] uint64_t lookFor(const Box3& cell, std::span<const uint32_t> objects, uint64_t count, uint64_t seed,
-                                   std::vector<uint8_t>& seen, const Progress& progress = {}) const;
 
 private:
     class OfCell;

@@ -25,6 +25,7 @@ constexpr const char* kCells = "cells";
 constexpr const char* kHalvings = "halvings";
 constexpr const char* kRays = "rays";
 constexpr const char* kSeed = "seed";
+constexpr const char* kNeighbours = "neighbours";
 constexpr const char* kViewCell = "view-cell";
 constexpr float kCellWidth = 2.0f;  // units
 
@@ -214,6 +215,8 @@ private:
         options.rays = uint64_t(parameters.integer(kRays));
         options.seed = uint64_t(parameters.integer(kSeed));
         options.proven = structure.proven;
+        // A proof adds by itself what rays have missed.
+        options.neighbours = !structure.proven && parameters.boolean(kNeighbours);
         std::optional<BuiltSets> built = buildSets(structure.scene(), options, progress);
         if (!built) return;
         structure.report.figures.push_back({"rays", double(built->rays)});
@@ -286,8 +289,10 @@ RegisteredStrategy pvs() {
                                            {kConservative, CULLSCOPE_TR("all but what is proven to be hidden from the cell")},
                                            {kGiven, CULLSCOPE_TR("the sets that came with the scene's file")}})),
          countParameter(kCells, 8, 1, 256, CULLSCOPE_TR("How many cells lie along the longest side of the scene.")),
-         countParameter(kHalvings, 3, 0, 18, CULLSCOPE_TR("How many more times a cell is halved that a surface crosses.")),
-         bySize(countParameter(kRays, 2000, 0, 1e9, CULLSCOPE_TR("How many rays look around from a cell.")), 10),
+         countParameter(kHalvings, 1, 0, 18, CULLSCOPE_TR("How many more times a cell is halved that a surface crosses.")),
+         bySize(countParameter(kRays, 5000, 0, 1e9, CULLSCOPE_TR("How many rays look around from a cell.")), 10),
+         readWhenBuilding(booleanParameter(
+             kNeighbours, true, CULLSCOPE_TR("Whether a cell's sampled set also has what the cells beside it see."))),
          countParameter(kSeed, 1, 0, 1e9, CULLSCOPE_TR("What the rays' random numbers begin with."))}};
     info.needsEyePoint = true;
     info.sweeps = {{kRays, {"100", "1000", "10000", "100000"}}};

@@ -15,8 +15,6 @@
 namespace cullscope::occlusion {
 namespace {
 
-constexpr uint64_t kNeighbourPasses = 3;
-constexpr uint64_t kLeastNeighbourRays = 8;  // to an object that a neighbour sees
 constexpr size_t kCellsAtOnce = 64;      // between reports of progress
 constexpr int kGroupHalvings = 0, kPartHalvings = 3;
 
@@ -33,47 +31,34 @@ void forEachCell(size_t count, const Progress& progress, const char* stage, cons
 
 using Seen = std::vector<std::vector<uint8_t>>;  // by cell, a byte for each object
 
-uint64_t seedOf(const PvsOptions& options, uint32_t cell, uint64_t pass) {
-    return Random(options.seed * 0x9E3779B97F4A7C15ull + (kNeighbourPasses + 1) * uint64_t(cell) + pass).bits();
+uint64_t seedOf(const PvsOptions& options, uint32_t cell) {
+    return Random(options.seed * 0x9E3779B97F4A7C15ull + uint64_t(cell)).bits();
 }
 
-/// By cell, the objects that a neighbour sees and it does not.
-std::vector<std::vector<uint32_t>> likelySeen(const ViewCells& cells, const Seen& seen) {
-    const std::vector<std::vector<uint32_t>> beside = neighbours(cells);
-    std::vector<std::vector<uint32_t>> likely(cells.boxes.size());
-    tbb::parallel_for(size_t{0}, cells.boxes.size(), [&](size_t cell) {
-        for (uint32_t i = 0; i < seen[cell].size(); ++i)
-            if (seen[cell][i] == 0 && std::ranges::any_of(beside[cell], [&](uint32_t other) { return seen[other][i] != 0; }))
-                likely[cell].push_back(i);
-    });
-    return likely;
-}
-
-/// Half of the rays from every cell; then the other half to what its neighbours see, as that is often seen from it too.
+/// Rays from every cell; returns how many.
 uint64_t sampleCells(const Scene& scene, const ViewCells& cells, const SceneRays& rays, const PvsOptions& options, Seen& seen,
                      const Progress& progress) {
     const GuidedRays guided(scene, rays);
     std::vector<uint64_t> shot(cells.boxes.size(), 0);
     tbb::enumerable_thread_specific<GuidedRays::Work> works;
-    forEachCell(cells.boxes.size(), progress.part(0.0, 0.4), CULLSCOPE_TR("Rays from view cells"), [&](uint32_t cell) {
+    forEachCell(cells.boxes.size(), progress, CULLSCOPE_TR("Rays from view cells"), [&](uint32_t cell) {
         seen[cell].assign(scene.instances().size(), 0);
         for (const uint32_t instance : cells.crossing[cell]) seen[cell][instance] = 1;
-        shot[cell] = guided.sample(cells.boxes[cell], {options.rays / 2, seedOf(options, cell, 0)}, works.local(), seen[cell], progress);
+        shot[cell] = guided.sample(cells.boxes[cell], {options.rays, seedOf(options, cell)}, works.local(), seen[cell], progress);
     });
-    for (uint64_t pass = 1; pass <= kNeighbourPasses && options.rays > 0; ++pass) {
-        const double begin = 0.4 + 0.2 * double(pass - 1);
-        const std::vector<std::vector<uint32_t>> likely = likelySeen(cells, seen);
-        forEachCell(cells.boxes.size(), progress.part(begin, begin + 0.2), CULLSCOPE_TR("Rays from view cells"),
-                    [&](uint32_t cell) {
-                        if (likely[cell].empty()) return;
-                        const uint64_t each = std::max(kLeastNeighbourRays, options.rays / 6 / likely[cell].size());
-                        shot[cell] += guided.lookFor(cells.boxes[cell], likely[cell], each, seedOf(options, cell, pass), seen[cell],
-                                                     progress);
-                    });
-    }
     uint64_t sum = 0;
     for (const uint64_t count : shot) sum += count;
     return sum;
+}
+
+/// Adds to each cell's set what the cells beside it see.
+void addNeighbours(const ViewCells& cells, Seen& seen) {
+    const std::vector<std::vector<uint32_t>> beside = neighbours(cells);
+    const Seen own = seen;
+    tbb::parallel_for(size_t{0}, seen.size(), [&](size_t cell) {
+        for (const uint32_t other : beside[cell])
+            for (size_t i = 0; i < seen[cell].size(); ++i) seen[cell][i] |= own[other][i];
+    });
 }
 
 /// Adds to a cell's set what was not seen from it and is not proven to be hidden from it.
@@ -165,6 +150,7 @@ std::optional<BuiltSets> buildSets(const Scene& scene, const PvsOptions& options
     Seen seen(built.cells.boxes.size());
     built.rays = sampleCells(scene, built.cells, rays, options, seen, progress.part(0.0, options.proven ? 0.4 : 1.0));
     for (const std::vector<uint8_t>& one : seen) built.seen += uint64_t(std::ranges::count(one, uint8_t(1)));
+    if (options.neighbours) addNeighbours(built.cells, seen);
     if (options.proven) proveCells(scene, rays, built, seen, progress.part(0.4, 1.0));
     built.sets = RegionSets(built.cells.nodes, built.cells.boxes.size(), scene.instances().size(), built.cells.within);
     for (uint32_t cell = 0; cell < seen.size(); ++cell) built.sets.setOf(cell, seen[cell]);

@@ -28,8 +28,7 @@ struct ViewCells {
 /// requested.
 [[nodiscard]] std::optional<ViewCells> viewCells(const Scene& scene, const CellOptions& options, const Progress& progress);
 
-/// The objects that a cell counts as seen from it because a surface of theirs crosses it, or from a neighbour. By region, the
-/// regions that touch it, itself left out.
+/// By region, the regions that touch it, itself left out.
 [[nodiscard]] std::vector<std::vector<uint32_t>> neighbours(const ViewCells& cells);
 
 }  // namespace cullscope::occlusion

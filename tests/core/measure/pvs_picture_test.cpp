@@ -120,7 +120,7 @@ TEST(PvsPicture, sampledSetsLoseLittle) {
     Random random(5);
     const ScenePointer scene = roomScene(4, random);
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const CullerPointer few = pvsWith({{"rays", "20"}}), many = pvsWith({{"rays", "3000"}});
+    const CullerPointer few = pvsWith({{"rays", "20"}, {"neighbours", "false"}}), many = pvsWith({{"rays", "20000"}});
     few->build(*scene);
     many->build(*scene);
     Losses byFew, byMany;
@@ -131,7 +131,7 @@ TEST(PvsPicture, sampledSetsLoseLittle) {
     }
     EXPECT_GT(byMany.hidden, 0u);
     EXPECT_LE(double(byMany.different), 1e-4 * double(byMany.covered));
-    EXPECT_LE(byMany.different, byFew.different);
+    EXPECT_GT(byFew.different, 100 * byMany.different) << "few rays lose much, so the views show losses";
 }
 
 }  // namespace
