@@ -119,7 +119,7 @@ bool MeshAssembler::add(RawMesh raw, double from, double to) {
         throwInput(CULLSCOPE_TR("%1: the object \"%2\" is smaller than 1e-30. Scale it up."),
                    {m_fileName, terminalText(raw.name)});
     TriangleMesh::Data data;
-    data.origin = originForFloats(raw, bounds);
+    data.origin = raw.origin.value_or(originForFloats(raw, bounds));
     report.bentByRounding += trianglesBentByRounding(raw, data.origin, progress);
     data.positions = takeOffsets(raw, data.origin, progress);
     data.normals = std::move(raw.normals);

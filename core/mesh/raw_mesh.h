@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct RawMesh {
                                            ///< range
     std::vector<uint32_t> polygonCorners;  ///< faces with another number of corners, one after the other
     std::vector<size_t> polygonEnds;       ///< where each of them ends in polygonCorners
+    std::optional<Vec3> origin;            ///< of the float coordinates; none: one that suits the mesh (originForFloats)
     bool verticesCounted = false;          ///< the reader has counted unreferenced and non-finite vertices itself
 
     [[nodiscard]] size_t vertexCount() const { return wide.empty() ? narrow.size() : wide.size(); }

@@ -36,9 +36,15 @@ void mark(std::string_view piece, std::string_view text, std::vector<bool>& hidd
 ScenePointer withoutInstances(const ScenePointer& scene, const std::vector<bool>& hidden) {
     if (std::find(hidden.begin(), hidden.end(), true) == hidden.end()) return scene;
     std::vector<Instance> shown;
-    for (size_t i = 0; i < scene->instances().size(); ++i)
-        if (i >= hidden.size() || !hidden[i]) shown.push_back(scene->instances()[i]);
-    return std::make_shared<const Scene>(scene->name(), scene->meshes(), std::move(shown), nullptr, scene->remarks());
+    std::vector<uint32_t> numbers;
+    for (uint32_t i = 0; i < scene->instances().size(); ++i) {
+        if (i < hidden.size() && hidden[i]) continue;
+        shown.push_back(scene->instances()[i]);
+        numbers.push_back(i);
+    }
+    SceneRemarks remarks = scene->remarks();
+    if (remarks.visibility) remarks.visibility = std::make_shared<const RegionSets>(remarks.visibility->ofObjects(numbers));
+    return std::make_shared<const Scene>(scene->name(), scene->meshes(), std::move(shown), nullptr, std::move(remarks));
 }
 
 std::vector<bool> hiddenFromText(std::string_view text, size_t objects) {

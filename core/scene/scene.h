@@ -11,6 +11,7 @@
 #include "core/mesh/triangle_mesh.h"
 #include "core/scene/camera.h"
 #include "core/scene/components.h"
+#include "core/scene/region_sets.h"
 
 namespace cullscope {
 
@@ -37,6 +38,7 @@ struct SceneRemarks {
     std::optional<UpAxis> up{};         ///< where its format says so, or its generator
     std::optional<UpAxis> guessedUp{};  ///< of a file whose format has no word for it (guessedUpAxis)
     ComponentsPointer components{};     ///< of which primitives its meshes consist; null where none are known
+    RegionSetsPointer visibility{};     ///< which objects may be seen from where, as its file says; null: it does not
 };
 
 /// What is up in a file that does not say it: z where the scene lies flat along z, at most half as long along it as along x and

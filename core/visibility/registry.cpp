@@ -14,6 +14,7 @@
 #include "core/visibility/occlusion/clusters.h"
 #include "core/visibility/occlusion/occlusion_chc.h"
 #include "core/visibility/occlusion/octree_query.h"
+#include "core/visibility/occlusion/pvs.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/small_feature/level_of_detail.h"
 #include "core/visibility/small_feature/small_feature.h"
@@ -47,6 +48,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         occlusion::octreeQuery(),
         occlusion::occlusionChc(),
         occlusion::clusters(),
+        occlusion::pvs(),
         ordering::painter(),
         ordering::bsp(),
         small_feature::smallFeature(),

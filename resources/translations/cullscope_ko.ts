@@ -7277,6 +7277,138 @@
         <source>the way of the view in this figure</source>
         <translation>이 그림의 시점이 지나는 길</translation>
     </message>
+    <message>
+        <source>The scene has no view cells: it has less than two objects, or too many triangles. Each object may be visible.</source>
+        <translation>장면에 시야 셀이 없습니다. 물체가 둘보다 적거나 삼각형이 너무 많습니다. 모든 물체가 보일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The sets are made for surfaces that hide from both sides, and this frame draws fronts alone: each object may be visible.</source>
+        <translation>집합은 양쪽에서 가리는 면을 위해 만들었는데 이 프레임은 앞면만 그립니다. 모든 물체가 보일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The eye lies in no view cell: each object may be visible.</source>
+        <translation>눈이 어느 시야 셀에도 있지 않습니다. 모든 물체가 보일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The near plane or the pixels of this view are beyond what the proofs allow for: each object may be visible.</source>
+        <translation>이 뷰의 근평면이나 픽셀이 증명이 허용하는 범위를 벗어납니다. 모든 물체가 보일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The eye lies in view cell %1, from which %2 objects may be seen.</source>
+        <translation>눈이 시야 셀 %1에 있으며, 여기서 물체 %2개가 보일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>objects not in the cell&apos;s set</source>
+        <translation>셀의 집합에 없는 물체</translation>
+    </message>
+    <message>
+        <source>objects outside the frustum</source>
+        <translation>절두체 밖의 물체</translation>
+    </message>
+    <message>
+        <source>The culling eye lies in no view cell.</source>
+        <translation>컬링하는 눈이 어느 시야 셀에도 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>sets=%1: the scene came without potentially visible sets, which levels of Quake 3 (.bsp) have. Take %2 or %3.</source>
+        <translation>sets=%1: 장면에 잠재적 가시 집합이 딸려 오지 않았습니다. Quake 3 레벨(.bsp)에는 있습니다. %2 또는 %3을(를) 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>the cell&apos;s set</source>
+        <translation>셀의 집합</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; has %2 triangles, which the cell&apos;s set has together or not at all.</source>
+        <translation>물체 &quot;%1&quot;에는 삼각형이 %2개 있으며, 셀의 집합은 이를 모두 담거나 하나도 담지 않습니다.</translation>
+    </message>
+    <message>
+        <source>View cell</source>
+        <translation>시야 셀</translation>
+    </message>
+    <message>
+        <source>View &amp;cell</source>
+        <translation>시야 셀(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the cell from anywhere in which the drawn objects may be seen</source>
+        <translation>그린 물체가 그 안 어디에서든 보일 수 있는 셀을 활성 뷰에 표시</translation>
+    </message>
+    <message>
+        <source>view cell of the culling eye</source>
+        <translation>컬링하는 눈의 시야 셀</translation>
+    </message>
+    <message>
+        <source>find the view cell of the eye</source>
+        <translation>눈의 시야 셀을 찾음</translation>
+    </message>
+    <message>
+        <source>none: each object is in the set</source>
+        <translation>없으면: 모든 물체가 집합에 있음</translation>
+    </message>
+    <message>
+        <source>not in the cell&apos;s set: leave it out</source>
+        <translation>셀의 집합에 없으면: 제외</translation>
+    </message>
+    <message>
+        <source>test it against the frustum</source>
+        <translation>절두체로 검사</translation>
+    </message>
+    <message>
+        <source>Potentially visible sets</source>
+        <translation>잠재적 가시 집합</translation>
+    </message>
+    <message>
+        <source>Draws what may be seen from anywhere in the eye&apos;s cell, worked out beforehand for all cells.</source>
+        <translation>눈이 있는 셀의 어디에서든 보일 수 있는 것을 그리며, 모든 셀에 대해 미리 계산합니다.</translation>
+    </message>
+    <message>
+        <source>Where the cells&apos; sets come from.</source>
+        <translation>셀의 집합을 어디서 얻는지.</translation>
+    </message>
+    <message>
+        <source>what rays from the cell meet</source>
+        <translation>셀에서 나간 광선이 만나는 것</translation>
+    </message>
+    <message>
+        <source>all but what is proven to be hidden from the cell</source>
+        <translation>셀에서 가려짐이 증명된 것을 뺀 모두</translation>
+    </message>
+    <message>
+        <source>the sets that came with the scene&apos;s file</source>
+        <translation>장면 파일에 딸려 온 집합</translation>
+    </message>
+    <message>
+        <source>How many cells lie along the longest side of the scene.</source>
+        <translation>장면의 가장 긴 변을 따라 놓이는 셀의 수.</translation>
+    </message>
+    <message>
+        <source>How many more times a cell is halved that a surface crosses.</source>
+        <translation>면이 지나는 셀을 몇 번 더 반으로 나누는지.</translation>
+    </message>
+    <message>
+        <source>How many rays look around from a cell.</source>
+        <translation>한 셀에서 둘러보는 광선의 수.</translation>
+    </message>
+    <message>
+        <source>Whether a cell&apos;s sampled set also has what the cells beside it see.</source>
+        <translation>셀의 표본 집합에 옆 셀들이 보는 것도 넣을지.</translation>
+    </message>
+    <message>
+        <source>What the rays&apos; random numbers begin with.</source>
+        <translation>광선의 난수가 시작하는 값.</translation>
+    </message>
+    <message>
+        <source>What the cell&apos;s set has</source>
+        <translation>셀의 집합에 있는 것</translation>
+    </message>
+    <message>
+        <source>Rays from view cells</source>
+        <translation>시야 셀에서 나가는 광선</translation>
+    </message>
+    <message>
+        <source>Proofs of what is hidden</source>
+        <translation>가려진 것의 증명</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7277,6 +7277,138 @@
         <source>the way of the view in this figure</source>
         <translation>本图视图所走的路径</translation>
     </message>
+    <message>
+        <source>The scene has no view cells: it has less than two objects, or too many triangles. Each object may be visible.</source>
+        <translation>场景没有视点单元：物体少于两个，或三角形太多。每个物体都可能可见。</translation>
+    </message>
+    <message>
+        <source>The sets are made for surfaces that hide from both sides, and this frame draws fronts alone: each object may be visible.</source>
+        <translation>这些集合是为两面都遮挡的表面建立的，而本帧只绘制正面：每个物体都可能可见。</translation>
+    </message>
+    <message>
+        <source>The eye lies in no view cell: each object may be visible.</source>
+        <translation>视点不在任何视点单元中：每个物体都可能可见。</translation>
+    </message>
+    <message>
+        <source>The near plane or the pixels of this view are beyond what the proofs allow for: each object may be visible.</source>
+        <translation>此视图的近平面或像素超出证明所容许的范围：每个物体都可能可见。</translation>
+    </message>
+    <message>
+        <source>The eye lies in view cell %1, from which %2 objects may be seen.</source>
+        <translation>视点位于视点单元 %1，从那里可能看见 %2 个物体。</translation>
+    </message>
+    <message>
+        <source>objects not in the cell&apos;s set</source>
+        <translation>不在单元集合中的物体</translation>
+    </message>
+    <message>
+        <source>objects outside the frustum</source>
+        <translation>视锥体外的物体</translation>
+    </message>
+    <message>
+        <source>The culling eye lies in no view cell.</source>
+        <translation>剔除视点不在任何视点单元中。</translation>
+    </message>
+    <message>
+        <source>sets=%1: the scene came without potentially visible sets, which levels of Quake 3 (.bsp) have. Take %2 or %3.</source>
+        <translation>sets=%1：场景不带潜在可见集，Quake 3 的关卡（.bsp）才有。请用 %2 或 %3。</translation>
+    </message>
+    <message>
+        <source>the cell&apos;s set</source>
+        <translation>单元的集合</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; has %2 triangles, which the cell&apos;s set has together or not at all.</source>
+        <translation>物体&quot;%1&quot;有 %2 个三角形，单元的集合要么全有，要么全无。</translation>
+    </message>
+    <message>
+        <source>View cell</source>
+        <translation>视点单元</translation>
+    </message>
+    <message>
+        <source>View &amp;cell</source>
+        <translation>视点单元(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the cell from anywhere in which the drawn objects may be seen</source>
+        <translation>在活动视图中显示所绘物体从其任意处都可能被看见的单元</translation>
+    </message>
+    <message>
+        <source>view cell of the culling eye</source>
+        <translation>剔除视点的视点单元</translation>
+    </message>
+    <message>
+        <source>find the view cell of the eye</source>
+        <translation>查找视点所在的视点单元</translation>
+    </message>
+    <message>
+        <source>none: each object is in the set</source>
+        <translation>没有：每个物体都在集合中</translation>
+    </message>
+    <message>
+        <source>not in the cell&apos;s set: leave it out</source>
+        <translation>不在单元集合中：略去</translation>
+    </message>
+    <message>
+        <source>test it against the frustum</source>
+        <translation>用视锥体测试它</translation>
+    </message>
+    <message>
+        <source>Potentially visible sets</source>
+        <translation>潜在可见集</translation>
+    </message>
+    <message>
+        <source>Draws what may be seen from anywhere in the eye&apos;s cell, worked out beforehand for all cells.</source>
+        <translation>绘制从视点所在单元任意处可能看见的内容，对所有单元预先算出。</translation>
+    </message>
+    <message>
+        <source>Where the cells&apos; sets come from.</source>
+        <translation>单元的集合从何而来。</translation>
+    </message>
+    <message>
+        <source>what rays from the cell meet</source>
+        <translation>从单元发出的光线所遇到的</translation>
+    </message>
+    <message>
+        <source>all but what is proven to be hidden from the cell</source>
+        <translation>除已证明从单元看不见者外的全部</translation>
+    </message>
+    <message>
+        <source>the sets that came with the scene&apos;s file</source>
+        <translation>随场景文件而来的集合</translation>
+    </message>
+    <message>
+        <source>How many cells lie along the longest side of the scene.</source>
+        <translation>沿场景最长边有多少个单元。</translation>
+    </message>
+    <message>
+        <source>How many more times a cell is halved that a surface crosses.</source>
+        <translation>有表面穿过的单元再对半划分多少次。</translation>
+    </message>
+    <message>
+        <source>How many rays look around from a cell.</source>
+        <translation>从一个单元向四周发出多少条光线。</translation>
+    </message>
+    <message>
+        <source>Whether a cell&apos;s sampled set also has what the cells beside it see.</source>
+        <translation>单元的采样集合是否也包含相邻单元所见的内容。</translation>
+    </message>
+    <message>
+        <source>What the rays&apos; random numbers begin with.</source>
+        <translation>光线随机数的起始值。</translation>
+    </message>
+    <message>
+        <source>What the cell&apos;s set has</source>
+        <translation>单元集合的内容</translation>
+    </message>
+    <message>
+        <source>Rays from view cells</source>
+        <translation>从视点单元发出光线</translation>
+    </message>
+    <message>
+        <source>Proofs of what is hidden</source>
+        <translation>证明哪些被遮挡</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -1,6 +1,7 @@
 #include "core/scene/quake/quake_scene.h"
 
 #include <cmath>
+#include <unordered_map>
 
 #include "core/base/error.h"
 #include "core/mesh/file_format.h"
@@ -36,7 +37,10 @@ public:
             for (uint32_t i = 0; i < surfaces.surfaceCount; ++i) {
                 const std::optional<uint32_t> mesh = addSurface(surfaces.firstSurface + i);
                 if (!mesh) continue;
-                if (model == 0) m_instances.push_back({*mesh, Mat4(1.0), nameOf(surfaces.firstSurface + i)});
+                if (model == 0) {
+                    m_objectOf.emplace(surfaces.firstSurface + i, uint32_t(m_instances.size()));
+                    m_instances.push_back({*mesh, Mat4(1.0), nameOf(surfaces.firstSurface + i)});
+                }
                 for (const Entity* entity : owners) place(*mesh, *entity, surfaces.firstSurface + i);
             }
         }
@@ -50,6 +54,7 @@ public:
         remark(CULLSCOPE_TR("Surfaces left out of models that no entity places: %1."), m_withoutEntity);
         SceneRemarks remarks;
         remarks.up = UpAxis::Z;
+        remarks.visibility = visibility();
         if (std::optional<Camera> camera = playersCamera()) {
             const Scene bounds("", meshes, m_instances);
             fitDepthRange(*camera, bounds);
@@ -81,6 +86,8 @@ private:
         }
         RawMesh mesh = surface.kind == Surface::Kind::Patch ? patch(surface) : triangles(surface);
         mesh.name = nameOf(number);
+        // The level's own origin for all: so surfaces that share corners share them in pictures too, without cracks between them.
+        mesh.origin = Vec3(0.0);
         const double share = 1.0 / double(m_level.surfaces.size());
         if (!m_assembler.add(std::move(mesh), share * number, share * (number + 1))) return std::nullopt;
         return m_meshes++;
@@ -146,9 +153,39 @@ private:
         return std::nullopt;
     }
 
+    /// The level's potentially visible set: a region for each leaf of its tree. What moves belongs to no leaf in the file, so it may
+    /// be seen from everywhere. Null where the level was compiled without visibility.
+    [[nodiscard]] RegionSetsPointer visibility() const {
+        if (m_level.clusters == 0) return nullptr;
+        std::vector<RegionSets::Node> nodes;
+        for (const Node& node : m_level.nodes)
+            nodes.push_back({m_level.planes[node.plane].normal, m_level.planes[node.plane].distance, node.children});
+        RegionSets sets(std::move(nodes), m_level.leaves.size(), m_instances.size());
+        std::vector<std::vector<uint32_t>> leavesOf(m_level.clusters), objectsOf(m_level.clusters);
+        for (uint32_t i = 0; i < m_level.leaves.size(); ++i) {
+            const Leaf& leaf = m_level.leaves[i];
+            if (leaf.cluster < 0) continue;
+            leavesOf[size_t(leaf.cluster)].push_back(i);
+            for (const uint32_t surface : m_level.surfacesOf(leaf))
+                if (const auto object = m_objectOf.find(surface); object != m_objectOf.end())
+                    objectsOf[size_t(leaf.cluster)].push_back(object->second);
+        }
+        std::vector<uint8_t> visible;
+        for (uint32_t from = 0; from < m_level.clusters; ++from) {
+            visible.assign(m_instances.size(), 1);
+            for (const auto& [surface, object] : m_objectOf) visible[object] = 0;
+            for (uint32_t to = 0; to < m_level.clusters; ++to)
+                if (m_level.mayBeSeen(int32_t(from), int32_t(to)))
+                    for (const uint32_t object : objectsOf[to]) visible[object] = 1;
+            for (const uint32_t leaf : leavesOf[from]) sets.setOf(leaf, visible);
+        }
+        return std::make_shared<const RegionSets>(std::move(sets));
+    }
+
     const Level& m_level;
     MeshAssembler& m_assembler;
     uint32_t m_meshes = 0;
+    std::unordered_map<uint32_t, uint32_t> m_objectOf;  ///< by surface of the level itself: its instance
     std::vector<Instance> m_instances;
     size_t m_notDrawn = 0, m_billboards = 0, m_withoutEntity = 0;
 };

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/scene/hidden.h"
 #include "core/scene/quake/bezier_patch.h"
 #include "core/scene/quake/level.h"
 #include "core/scene/scene_source.h"
@@ -100,6 +101,25 @@ TEST_F(Quake, placesHaveLeavesAndClustersSeeWhatTheirBitsSay) {
     EXPECT_FALSE(level.mayBeSeen(1, 0));
     EXPECT_TRUE(level.mayBeSeen(1, 1));
     EXPECT_FALSE(level.mayBeSeen(-1, 0));
+}
+
+TEST_F(Quake, sceneHasTheLevelsSetsByObject) {
+    const ScenePointer scene = read(ibspSample().bytes()).scene;
+    const RegionSetsPointer sets = scene->remarks().visibility;
+    ASSERT_NE(sets, nullptr);
+    const auto seenFrom = [&](const Vec3& place) {
+        std::vector<std::string> names;
+        for (const uint32_t object : sets->objectsOf(sets->regionAt(place).value()))
+            names.push_back(scene->instances()[object].name);
+        return names;
+    };
+    using testing::ElementsAre, testing::HasSubstr;
+    EXPECT_THAT(seenFrom({0, 0, 0}), ElementsAre("textures/wall #0", "textures/wall #1", HasSubstr("func_door")));
+    EXPECT_THAT(seenFrom({5, 0, 0}), ElementsAre("textures/wall #0", HasSubstr("func_door"))) << "cluster 1 does not see cluster 0";
+    std::vector<bool> hidden(scene->instances().size(), false);
+    hidden[0] = true;
+    const RegionSetsPointer rest = withoutInstances(scene, hidden)->remarks().visibility;
+    EXPECT_THAT(rest->objectsOf(rest->regionAt({5, 0, 0}).value()), ElementsAre(1u)) << "numbers follow hidden objects";
 }
 
 TEST(QuakePatch, cornersLieOnTheExactSurface) {
