@@ -44,10 +44,31 @@ using FinishedPicturePointer = std::shared_ptr<const FinishedPicture>;
 
 /// How OpenGL is asked about boxes.
 enum class BoxQuestion {
-    Selection,  ///< in selection mode: which boxes intersect the view
-    Samples,    ///< by occlusion queries without depth test: which boxes cover a sample
-    DepthSoFar  ///< by occlusion queries against the depth that the frame has drawn so far
+    Selection,   ///< in selection mode: which boxes intersect the view
+    Samples,     ///< by occlusion queries without depth test: which boxes cover a sample
+    DepthSoFar,  ///< by occlusion queries against the depth that the frame has drawn so far
+    Pyramid      ///< by a compute shader against a pyramid of that depth (PyramidReading)
 };
+
+/// What a box was compared with by BoxQuestion::Pyramid. The depth that the frame has drawn so far is reduced to a pyramid: a
+/// texel of level n has the farthest depth of 2^n × 2^n pixels. A box is hidden where it lies behind all texels of a level that
+/// it may cover; the level is the lowest at which they are few.
+struct PyramidReading {
+    uint32_t level = 0;
+    uint32_t texels = 0;    ///< so many; 0: the box reaches before the near plane, and is visible
+    float nearest = 1.0f;   ///< reversed depth of the box's nearest point
+    float farthest = 0.0f;  ///< reversed depth of the farthest of those texels
+};
+
+/// Memory of the pyramid of a picture, without the depth itself, which is its level 0.
+[[nodiscard]] inline uint64_t pyramidBytes(Viewport size) {
+    uint64_t texels = 0;
+    while (size.width > 1 || size.height > 1) {
+        size = {(size.width + 1) / 2, (size.height + 1) / 2};
+        texels += uint64_t(size.width) * uint64_t(size.height);
+    }
+    return texels * sizeof(float);
+}
 
 /// The nearest and the farthest of what a hit record says of a box's faces within the view, as forward distances from the eye.
 struct HitDistances {
@@ -70,10 +91,16 @@ struct AskedBoxes {
 /// view's memory, whose copies share it; it may outlive the OpenGL context.
 class BoxTicket {
 public:
-    BoxTicket() = default;
+    explicit BoxTicket(size_t answers) : m_answers(answers) {}
     virtual ~BoxTicket() = default;
     BoxTicket(const BoxTicket&) = delete;
     BoxTicket& operator=(const BoxTicket&) = delete;
+
+    /// How many boxes, or groups of boxes, have an answer.
+    [[nodiscard]] size_t answers() const { return m_answers; }
+
+private:
+    size_t m_answers;
 };
 using BoxTicketPointer = std::shared_ptr<BoxTicket>;
 

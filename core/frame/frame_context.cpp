@@ -59,13 +59,26 @@ void FrameContext::show(FinishedPicturePointer picture) {
     add(std::move(picture));
 }
 
-void FrameContext::drawChosen(const GpuChoice& choice) {
+size_t FrameContext::addChosen(const DrawList& candidates, const std::function<void(size_t)>& execute) {
     const Clock::time_point start = Clock::now();
-    DrawList chosen{choice.candidates.facing, {}, choice.candidates.order, choice.candidates.depth, choice.candidates.grain};
-    m_log.commands.emplace_back(std::move(chosen));
-    executeChoice(choice, m_log.commands.size() - 1);
-    m_choices.push_back({m_log.commands.size() - 1, choice.candidates.ranges, choice.leftOut});
+    const size_t command = m_log.commands.size();
+    m_log.commands.emplace_back(DrawList{candidates.facing, {}, candidates.order, candidates.depth, candidates.grain});
+    execute(command);
     m_drawingMilliseconds += millisecondsSince(start);
+    return command;
+}
+
+void FrameContext::drawChosen(const GpuChoice& choice) {
+    const size_t list = addChosen(choice.candidates, [&](size_t command) { executeChoice(choice, command); });
+    m_choices.push_back({list, choice.candidates.ranges, choice.leftOut});
+}
+
+void FrameContext::drawVisible(BoxTicket& ticket, const DrawList& candidates) {
+    if (ticket.answers() != candidates.ranges.size())
+        throwUsage(CULLSCOPE_TR("A strategy draws %1 ranges by the answers to a question that has %2: each range needs one."),
+                   {std::to_string(candidates.ranges.size()), std::to_string(ticket.answers())});
+    const size_t list = addChosen(candidates, [&](size_t command) { executeVisible(ticket, candidates, command); });
+    m_asked.push_back({list, candidates.triangleCount()});
 }
 
 SelectedBoxes FrameContext::selectBoxes(std::vector<EyeBox> boxes, size_t bufferWords) {
@@ -103,6 +116,8 @@ BoxTicketPointer FrameContext::ask(std::vector<EyeBox> boxes, BoxQuestion questi
 
 std::optional<std::vector<uint32_t>> FrameContext::answer(BoxTicket& ticket) { return fetchAnswer(ticket); }
 
+std::vector<PyramidReading> FrameContext::readings(BoxTicket& ticket) { return fetchReadings(ticket); }
+
 void FrameContext::say(Decision decision) {
     decision.commands = uint32_t(m_log.commands.size());
     m_log.decisions.push_back(decision);
@@ -131,6 +146,10 @@ FrameLog FrameContext::take() {
     readBack(m_log);
     for (const Candidates& candidates : m_choices) endChoice(candidates);
     m_choices.clear();
+    for (const Asked& asked : m_asked)
+        m_log.counters.culledTriangles[size_t(Cause::Hidden)] +=
+            asked.triangles - std::get<DrawList>(m_log.commands[asked.command]).triangleCount();
+    m_asked.clear();
     return std::move(m_log);
 }
 
@@ -153,6 +172,7 @@ void FrameContext::endChoice(const Candidates& candidates) {
 }
 
 void FrameContext::executeChoice(const GpuChoice& /*choice*/, size_t /*command*/) { throwNoContext(); }
+void FrameContext::executeVisible(BoxTicket& /*ticket*/, const DrawList& /*candidates*/, size_t /*command*/) { throwNoContext(); }
 SelectedBoxes FrameContext::answerSelection(std::span<const EyeBox> /*boxes*/, size_t /*bufferWords*/) { throwNoContext(); }
 std::vector<uint32_t> FrameContext::answerQuestion(std::span<const EyeBox> /*boxes*/, std::span<const uint32_t> /*ends*/,
                                                    BoxQuestion /*question*/) {
@@ -164,6 +184,7 @@ BoxTicketPointer FrameContext::putQuestion(std::span<const EyeBox> /*boxes*/, st
 }
 std::vector<uint32_t> FrameContext::findVisible() { throwNoContext(); }
 std::optional<std::vector<uint32_t>> FrameContext::fetchAnswer(BoxTicket& /*ticket*/) { throwNoContext(); }
+std::vector<PyramidReading> FrameContext::fetchReadings(BoxTicket& /*ticket*/) { throwNoContext(); }
 
 StageTimer::StageTimer(FrameContext& frame, const char* name)
     : m_frame(frame), m_name(name), m_drawingBefore(frame.drawingMilliseconds()), m_untimedBefore(frame.untimedMilliseconds()) {}

@@ -49,23 +49,33 @@ public:
     /// became of each candidate. Throws Error(OpenGl) without OpenGL.
     void drawChosen(const GpuChoice& choice);
 
+    /// Draws those of the candidates that a question of this frame finds visible: range i where the answer has number i. Where
+    /// OpenGL can draw indirectly, the frame does not wait for the answer. When it ends the log gets them, and what was left out
+    /// counts as hidden; what becomes of them is the strategy's to say (`answer`, while recording). Throws Error(OpenGl) without
+    /// OpenGL, and Error(Usage) where the question has not as many answers.
+    void drawVisible(BoxTicket& ticket, const DrawList& candidates);
+
     /// The boxes, relative to the eye, that OpenGL's selection mode hits (gpu/renderer.h); with a hit buffer of `bufferWords`.
     /// Throws Error(OpenGl) without OpenGL or without a compatibility profile.
     [[nodiscard]] SelectedBoxes selectBoxes(std::vector<EyeBox> boxes, size_t bufferWords);
     /// The boxes, relative to the eye, that cover a sample of the picture: of all samples (BoxQuestion::Samples), or of those at
-    /// which they lie before what the frame has drawn so far (DepthSoFar). As indices into the span, ascending. A box that holds
-    /// a point of the near rectangle may cover none (see gpu/renderer.h). With `ends`, consecutive boxes have one answer
-    /// together, whether any of them covers such a sample: group g ends before box ends[g]; the answer has the numbers of the
-    /// groups. Throws Error(OpenGl) without OpenGL, and Error(Usage) where a group is empty or the last one does not end at the
-    /// last box.
+    /// which they lie before what the frame has drawn so far (DepthSoFar; Pyramid, which hides a little less). As indices into
+    /// the span, ascending. A box that holds a point of the near rectangle may cover none (see gpu/renderer.h), but is visible by
+    /// a pyramid. With `ends`, consecutive boxes have one answer together, whether any of them covers such a sample: group g ends
+    /// before box ends[g]; the answer has the numbers of the groups. Throws Error(OpenGl) without OpenGL, and Error(Usage) where
+    /// a group is empty or the last one does not end at the last box.
     [[nodiscard]] std::vector<uint32_t> visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question,
                                                      std::vector<uint32_t> ends = {});
-    /// Asks the same (Samples or DepthSoFar) without waiting: `answer` gets the answer, later in this frame or in a later one.
-    /// Throws as visibleBoxes does.
+    /// Asks the same (Samples, DepthSoFar or Pyramid) without waiting: `answer` gets the answer, later in this frame or in a
+    /// later one. Throws as visibleBoxes does.
     [[nodiscard]] BoxTicketPointer ask(std::vector<EyeBox> boxes, BoxQuestion question, std::vector<uint32_t> ends = {});
     /// The answer to a question of this or an earlier frame, as visibleBoxes gives it; waits where OpenGL is not that far. It can
     /// be asked for any number of times. None where the question was asked of another OpenGL context, or of one that is gone.
     [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);
+
+    /// What each box of a question by a pyramid was compared with; waits as `answer` does. Empty for other questions, and where
+    /// there is no answer.
+    [[nodiscard]] std::vector<PyramidReading> readings(BoxTicket& ticket);
 
     /// The scene's triangles that the exact picture of the culling view shows under the frame's facing rule, ascending, each
     /// once: for what a strategy that knew them beforehand could gain. Finding them counts into no time of the frame
@@ -117,6 +127,8 @@ protected:
     virtual void execute(const Command& /*command*/) {}
     /// Draws what the GPU chooses; `command` is the number of the command whose draw list `readBack` fills.
     virtual void executeChoice(const GpuChoice& choice, size_t command);
+    /// The same of the candidates that a question finds visible.
+    virtual void executeVisible(BoxTicket& ticket, const DrawList& candidates, size_t command);
     virtual void readBack(FrameLog& /*log*/) {}
     [[nodiscard]] virtual SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords);
     [[nodiscard]] virtual std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
@@ -124,6 +136,7 @@ protected:
     [[nodiscard]] virtual BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
                                                        BoxQuestion question);
     [[nodiscard]] virtual std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket);
+    [[nodiscard]] virtual std::vector<PyramidReading> fetchReadings(BoxTicket& ticket);
     /// As visibleTriangles, when all work before has ended.
     [[nodiscard]] virtual std::vector<uint32_t> findVisible();
     [[nodiscard]] const FrameLog& log() const { return m_log; }
@@ -136,7 +149,15 @@ private:
         Cause leftOut = Cause::Hidden;
     };
 
+    /// Candidates of which a question decides.
+    struct Asked {
+        size_t command = 0;  ///< the number of the draw list of those that are visible
+        uint64_t triangles = 0;
+    };
+
     void add(Command command);
+    /// Adds the list of those candidates that are chosen later, and has it executed. Returns its number.
+    size_t addChosen(const DrawList& candidates, const std::function<void(size_t)>& execute);
     /// Counts the candidates that were not chosen, and says what became of each object.
     void endChoice(const Candidates& candidates);
 
@@ -144,6 +165,7 @@ private:
     const View& m_view;
     FrameLog m_log;
     std::vector<Candidates> m_choices;
+    std::vector<Asked> m_asked;
     std::stop_token m_stop;
     double m_drawingMilliseconds = 0.0;
     double m_untimedMilliseconds = 0.0;

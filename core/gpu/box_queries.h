@@ -38,7 +38,8 @@ private:
 class AskedTicket final : public BoxTicket {
 public:
     /// Needs the context of `pool`.
-    AskedTicket(std::shared_ptr<BoxQueries> pool, size_t queries) : m_pool(std::move(pool)), m_queries(m_pool->take(queries)) {}
+    AskedTicket(std::shared_ptr<BoxQueries> pool, size_t queries)
+        : BoxTicket(queries), m_pool(std::move(pool)), m_queries(m_pool->take(queries)) {}
     ~AskedTicket() override { m_pool->giveBack(m_queries, m_answer.has_value()); }
 
     [[nodiscard]] std::span<const unsigned> queries() const { return m_queries; }

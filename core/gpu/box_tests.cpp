@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/gpu/box_queries.h"
+#include "core/gpu/depth_pyramid.h"
 #include "core/gpu/drawing.h"
 
 namespace cullscope {
@@ -215,8 +216,9 @@ BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> bo
 }
 
 std::optional<std::vector<uint32_t>> Renderer::answer(BoxTicket& ticket) {
-    auto* asked = dynamic_cast<AskedTicket*>(&ticket);
-    return asked == nullptr ? std::nullopt : asked->answer(*m_programs->boxQueries);
+    if (auto* asked = dynamic_cast<AskedTicket*>(&ticket)) return asked->answer(*m_programs->boxQueries);
+    if (auto* asked = dynamic_cast<PyramidTicket*>(&ticket)) return asked->answer(*m_programs->answers);
+    return std::nullopt;
 }
 
 std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, std::span<const uint32_t> ends) {

@@ -32,7 +32,9 @@ enum Uniform : GLint {
 inline constexpr GLuint kPosition = 0;
 inline constexpr GLuint kNormal = 1;
 
+class AnswerBuffers;
 class BoxQueries;
+class DepthPyramid;
 
 /// How scene triangles are passed on.
 struct TriangleInput {
@@ -61,12 +63,15 @@ struct Renderer::Programs {
     ScenePrograms scene;
     std::unique_ptr<ScenePrograms> sectionScene;
     Program line, sphericalModel;
-    std::map<std::string, Program> choices;  ///< by the body of `chosen`
+    std::map<std::string, Program> choices;  ///< by the source of the shader that chooses
     unsigned vertexArray = 0;                ///< of scene triangles
     bool software = false;                   ///< the context's OpenGL is one (GlInfo::software)
     std::stop_token stop;                    ///< that of the innermost Stoppable
     unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
     std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
+    std::shared_ptr<AnswerBuffers> answers;  ///< the same
+    std::unique_ptr<DepthPyramid> pyramid;   ///< null: none was asked about yet
+    bool indirect = false;                   ///< what the GPU chooses is drawn indirectly
 };
 
 /// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. Of a section both sides of triangles are drawn, for it

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/gpu/depth_pyramid.h"
 #include "core/gpu/submission.h"
 
 namespace cullscope {
@@ -22,19 +23,28 @@ constexpr GLuint kCommandsBinding = 0;
 constexpr GLuint kDataBinding = 1;
 constexpr unsigned kGroupSize = 64;
 
-std::string shaderAround(const std::string& body) {
+std::string shaderOf(const std::string& declarations) {
     return "#version 450\n"
            "layout(local_size_x = 64) in;\n"
            "struct Draw { uint indexCount, instances, firstIndex, baseVertex, baseInstance; };\n"
-           "layout(std430, binding = 0) buffer Draws { Draw draws[]; };\n"
-           "layout(std430, binding = 1) readonly buffer Data { float data[]; };\n"
-           "bool chosen(uint candidate) {\n" +
-           body +
-           "\n}\n"
+           "layout(std430, binding = 0) buffer Draws { Draw draws[]; };\n" +
+           declarations +
            "void main() {\n"
            "    uint candidate = gl_GlobalInvocationID.x;\n"
            "    if (candidate < draws.length()) draws[candidate].instances = chosen(candidate) ? 1u : 0u;\n"
            "}\n";
+}
+
+std::string shaderAround(const std::string& body) {
+    return shaderOf("layout(std430, binding = 1) readonly buffer Data { float data[]; };\nbool chosen(uint candidate) {\n" +
+                    body + "\n}\n");
+}
+
+/// Chooses by the answers to a question.
+std::string shaderOfAnswers() {
+    return shaderOf(
+        "layout(std430, binding = 1) readonly buffer Shows { uint shows[]; };\n"
+        "bool chosen(uint candidate) { return shows[candidate] != 0u; }\n");
 }
 
 unsigned storage(const void* data, size_t bytes) {
@@ -65,26 +75,50 @@ DrawList Renderer::Choice::chosen() const {
     return list;
 }
 
-Renderer::Choice Renderer::choose(const SceneBuffers& buffers, const GpuChoice& choice) {
-    const std::string source = shaderAround(choice.body);
-    auto program = m_programs->choices.find(choice.body);
-    if (program == m_programs->choices.end()) program = m_programs->choices.emplace(choice.body, Program::compute(source)).first;
+namespace {
+
+/// The commands that draw the candidates, of which a program with `data` has chosen.
+unsigned commandsOf(const DrawList& candidates, const Program& program, unsigned data) {
     std::vector<IndirectDraw> draws;
-    for (const DrawRange& range : choice.candidates.ranges) draws.push_back({range.indexCount, 0, range.firstIndex, 0, 0});
+    draws.reserve(candidates.ranges.size());
+    for (const DrawRange& range : candidates.ranges) draws.push_back({range.indexCount, 0, range.firstIndex, 0, 0});
     const unsigned commands = storage(draws.data(), draws.size() * sizeof(IndirectDraw));
-    const unsigned data = storage(choice.data.data(), choice.data.size() * sizeof(float));
-    if (!draws.empty()) {
-        glUseProgram(program->second.id());
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kCommandsBinding, commands);
-        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kDataBinding, data);
-        glDispatchCompute(static_cast<GLuint>((draws.size() + kGroupSize - 1) / kGroupSize), 1, 1);
-        glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
-        for (const GLuint binding : {kCommandsBinding, kDataBinding}) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
-        glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-        glUseProgram(0);
+    if (draws.empty()) return commands;
+    glUseProgram(program.id());
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kCommandsBinding, commands);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kDataBinding, data);
+    glDispatchCompute(static_cast<GLuint>((draws.size() + kGroupSize - 1) / kGroupSize), 1, 1);
+    glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+    for (const GLuint binding : {kCommandsBinding, kDataBinding}) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, 0);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    glUseProgram(0);
+    return commands;
+}
+
+const Program& choosing(std::map<std::string, Program>& programs, std::string source) {
+    auto program = programs.find(source);
+    if (program == programs.end()) {
+        Program made = Program::compute(source);
+        program = programs.emplace(std::move(source), std::move(made)).first;
     }
+    return program->second;
+}
+
+}  // namespace
+
+Renderer::Choice Renderer::choose(const SceneBuffers& buffers, const GpuChoice& choice) {
+    const Program& program = choosing(m_programs->choices, shaderAround(choice.body));
+    const unsigned data = storage(choice.data.data(), choice.data.size() * sizeof(float));
+    const unsigned commands = commandsOf(choice.candidates, program, data);
     glDeleteBuffers(1, &data);
     return {buffers, choice.candidates, commands};
+}
+
+std::optional<Renderer::Choice> Renderer::choose(const SceneBuffers& buffers, BoxTicket& ticket, const DrawList& candidates) {
+    const auto* asked = dynamic_cast<const PyramidTicket*>(&ticket);
+    if (asked == nullptr || !asked->isOf(*m_programs->answers)) return std::nullopt;
+    const Program& program = choosing(m_programs->choices, shaderOfAnswers());
+    return Choice(buffers, candidates, commandsOf(candidates, program, asked->shows()));
 }
 
 void Renderer::execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style, bool cleared) {

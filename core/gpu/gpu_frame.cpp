@@ -1,6 +1,7 @@
 #include "core/gpu/gpu_frame.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace cullscope {
 
@@ -21,18 +22,38 @@ void GpuFrame::execute(const Command& command) {
 
 void GpuFrame::executeChoice(const GpuChoice& choice, size_t command) {
     Renderer::Choice chosen = m_renderer.choose(m_buffers, choice);
-    // Client memory cannot be drawn from indirectly: the choice is read back at once.
-    const bool indirect = m_target != nullptr && m_buffers.upload() == Upload::Vbo;
-    if (indirect) m_renderer.execute(view(), chosen, *m_target, m_style, clearsNow());
-    m_choices.push_back({command, std::move(chosen)});
-    if (m_target != nullptr && !indirect)
-        m_renderer.execute(m_buffers, view(), m_choices.back().choice.chosen(), *m_target, m_style, clearsNow());
+    if (drawsIndirectly())
+        executeIndirectly(std::move(chosen), command);
+    else
+        executeKnown(chosen.chosen(), command);
+}
+
+void GpuFrame::executeVisible(BoxTicket& ticket, const DrawList& candidates, size_t command) {
+    if (drawsIndirectly())
+        if (std::optional<Renderer::Choice> chosen = m_renderer.choose(m_buffers, ticket, candidates))
+            return executeIndirectly(std::move(*chosen), command);
+    DrawList visible = candidates;
+    if (const std::optional<std::vector<uint32_t>> answer = m_renderer.answer(ticket)) {
+        visible.ranges.clear();
+        for (const uint32_t number : *answer) visible.ranges.push_back(candidates.ranges[number]);
+    }
+    executeKnown(std::move(visible), command);
+}
+
+void GpuFrame::executeIndirectly(Renderer::Choice choice, size_t command) {
+    m_renderer.execute(view(), choice, *m_target, m_style, clearsNow());
+    m_choices.push_back({command, std::move(choice), {}});
+}
+
+void GpuFrame::executeKnown(DrawList list, size_t command) {
+    m_choices.push_back({command, std::nullopt, std::move(list)});
+    if (m_target != nullptr) m_renderer.execute(m_buffers, view(), m_choices.back().known, *m_target, m_style, clearsNow());
 }
 
 void GpuFrame::readBack(FrameLog& log) {
     // A frame that draws nothing shows the background.
     if (m_target != nullptr && clearsNow()) m_renderer.clear(view(), *m_target, m_style);
-    for (const PendingChoice& pending : m_choices) log.commands[pending.command] = pending.choice.chosen();
+    for (const PendingChoice& pending : m_choices) log.commands[pending.command] = pending.chosen();
     m_choices.clear();
 }
 
@@ -42,16 +63,20 @@ SelectedBoxes GpuFrame::answerSelection(std::span<const EyeBox> boxes, size_t bu
 
 std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
                                                BoxQuestion question) {
+    if (question == BoxQuestion::Pyramid) return *m_renderer.answer(*putQuestion(boxes, ends, question));
     if (question == BoxQuestion::DepthSoFar) return m_renderer.queryBoxes(view(), boxes, drawn(), ends);
     return m_renderer.queryBoxes(view(), boxes, ends);
 }
 
 BoxTicketPointer GpuFrame::putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends, BoxQuestion question) {
+    if (question == BoxQuestion::Pyramid) return m_renderer.askPyramid(view(), boxes, drawn(), ends);
     if (question == BoxQuestion::DepthSoFar) return m_renderer.askBoxes(view(), boxes, drawn(), ends);
     return m_renderer.askBoxes(view(), boxes, ends);
 }
 
 std::optional<std::vector<uint32_t>> GpuFrame::fetchAnswer(BoxTicket& ticket) { return m_renderer.answer(ticket); }
+
+std::vector<PyramidReading> GpuFrame::fetchReadings(BoxTicket& ticket) { return m_renderer.readings(ticket); }
 
 std::vector<uint32_t> GpuFrame::findVisible() {
     const Renderer::ItemBuffer items = m_renderer.drawItemBuffer(m_buffers, view(), everything(scene(), facing()));
@@ -79,7 +104,7 @@ Framebuffer& GpuFrame::drawn() {
         if (pending == m_choices.end())
             m_renderer.execute(m_buffers, view(), logged, *m_target, m_style);
         else
-            m_renderer.execute(m_buffers, view(), pending->choice.chosen(), *m_target, m_style);
+            m_renderer.execute(m_buffers, view(), pending->chosen(), *m_target, m_style);
         ++command;
     }
     return *m_target;

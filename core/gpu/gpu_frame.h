@@ -18,6 +18,7 @@ public:
 protected:
     void execute(const Command& command) override;
     void executeChoice(const GpuChoice& choice, size_t command) override;
+    void executeVisible(BoxTicket& ticket, const DrawList& candidates, size_t command) override;
     void readBack(FrameLog& log) override;
     [[nodiscard]] SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords) override;
     [[nodiscard]] std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
@@ -25,13 +26,25 @@ protected:
     [[nodiscard]] BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends,
                                                BoxQuestion question) override;
     [[nodiscard]] std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket) override;
+    [[nodiscard]] std::vector<PyramidReading> fetchReadings(BoxTicket& ticket) override;
     [[nodiscard]] std::vector<uint32_t> findVisible() override;
 
 private:
+    /// What the log gets as the draw list of a command when the frame ends.
     struct PendingChoice {
-        size_t command = 0;  ///< number of the command whose draw list it is
-        Renderer::Choice choice;
+        size_t command = 0;
+        std::optional<Renderer::Choice> choice;  ///< none: it is known
+        DrawList known;
+
+        [[nodiscard]] DrawList chosen() const { return choice ? choice->chosen() : known; }
     };
+
+    /// Whether choices are drawn without waiting for them. From client memory OpenGL cannot draw indirectly.
+    [[nodiscard]] bool drawsIndirectly() const {
+        return m_target != nullptr && m_buffers.upload() == Upload::Vbo && m_renderer.drawsIndirectly();
+    }
+    void executeIndirectly(Renderer::Choice choice, size_t command);
+    void executeKnown(DrawList list, size_t command);
 
     /// Whether the next command is the first that is drawn into the target, and clears it.
     [[nodiscard]] bool clearsNow() { return !std::exchange(m_cleared, true); }

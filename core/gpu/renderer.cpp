@@ -6,6 +6,7 @@
 
 #include "core/gpu/box_queries.h"
 #include "core/gpu/context.h"
+#include "core/gpu/depth_pyramid.h"
 #include "core/gpu/submission.h"
 #include "embedded/shaders.h"
 
@@ -56,7 +57,9 @@ Renderer::Programs::Programs()
       line(embedded::line_vert, embedded::line_frag),
       sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag),
       software(requireOpenGl45().software),
-      boxQueries(std::make_shared<BoxQueries>()) {
+      boxQueries(std::make_shared<BoxQueries>()),
+      answers(std::make_shared<AnswerBuffers>()),
+      indirect(!software) {
     glCreateVertexArrays(1, &vertexArray);
     for (const GLuint attribute : {kPosition, kNormal}) addAttribute(vertexArray, attribute, 0, attribute);
     glCreateVertexArrays(1, &lineArray);
@@ -70,14 +73,19 @@ Renderer::Programs::~Programs() {
     glDeleteVertexArrays(1, &vertexArray);
     glDeleteVertexArrays(1, &lineArray);
     boxQueries->close();
+    answers->close();
 }
 
 Renderer::Stoppable::Stoppable(Renderer& renderer, std::stop_token stop)
     : m_renderer(renderer), m_before(std::exchange(renderer.m_programs->stop, std::move(stop))) {}
 Renderer::Stoppable::~Stoppable() { m_renderer.m_programs->stop = std::move(m_before); }
 
-Renderer::Renderer() : m_programs(std::make_unique<Programs>()) {}
+Renderer::Renderer(std::optional<bool> indirect) : m_programs(std::make_unique<Programs>()) {
+    m_programs->indirect = indirect.value_or(m_programs->indirect);
+}
 Renderer::~Renderer() = default;
+
+bool Renderer::drawsIndirectly() const { return m_programs->indirect; }
 
 void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
                     const DrawStyle& style) {

@@ -77,7 +77,10 @@ struct PickedTriangle {
 /// OpenGL's defaults (glClipControl, depth and culling included), no bindings, and the framebuffer that was bound before.
 class Renderer {
 public:
-    Renderer();
+    /// `indirect`: whether what the GPU chooses is drawn indirectly, without waiting for the choice; else it is read back at
+    /// once, and drawn as a list. None: as suits this OpenGL. A software OpenGL goes through the commands of all candidates one
+    /// by one.
+    explicit Renderer(std::optional<bool> indirect = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
@@ -158,6 +161,14 @@ public:
     [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes, std::span<const uint32_t> ends = {});
     [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
                                             std::span<const uint32_t> ends = {});
+    /// The boxes, or groups, that lie before what was drawn into `drawn`, by the depth pyramid of that (BoxQuestion::Pyramid),
+    /// without waiting. Hides no box that covers a sample at which it lies before, or at, what was drawn, if the box has grown
+    /// for the rounding of a picture (visibility/eye_bounds.h): it is projected in float. One that reaches before the near plane
+    /// is visible.
+    [[nodiscard]] BoxTicketPointer askPyramid(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
+                                              std::span<const uint32_t> ends = {});
+    /// What its boxes were compared with; waits. Empty for other tickets, and those of another renderer.
+    [[nodiscard]] std::vector<PyramidReading> readings(BoxTicket& ticket) const;
     /// Those results, the same at every call; waits at the first one where they are not there yet. None for a ticket of another
     /// renderer.
     [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);
@@ -199,6 +210,12 @@ public:
     };
     /// Has a compute shader choose among candidates. Throws Error(OpenGl) with the driver's log where the body is refused.
     [[nodiscard]] Choice choose(const SceneBuffers& buffers, const GpuChoice& choice);
+    /// Chooses the candidates that a question by a pyramid finds visible, range i by answer i, without waiting for it; none for
+    /// a ticket of another kind, or of another renderer.
+    /// There are as many answers as ranges.
+    [[nodiscard]] std::optional<Choice> choose(const SceneBuffers& buffers, BoxTicket& ticket, const DrawList& candidates);
+    /// Whether choices are drawn indirectly.
+    [[nodiscard]] bool drawsIndirectly() const;
     /// Draws what was chosen over what is in `target`. Needs buffer objects (Upload::Vbo).
     void execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style, bool cleared = false);
 

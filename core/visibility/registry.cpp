@@ -13,6 +13,7 @@
 #include "core/visibility/occlusion/buffer_occlusion.h"
 #include "core/visibility/occlusion/clusters.h"
 #include "core/visibility/occlusion/occlusion_chc.h"
+#include "core/visibility/occlusion/occlusion_hiz.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/occlusion/pvs.h"
 #include "core/visibility/ordering/ordering.h"
@@ -47,6 +48,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         occlusion::occlusionMasked(),
         occlusion::octreeQuery(),
         occlusion::occlusionChc(),
+        occlusion::occlusionHiz(),
         occlusion::clusters(),
         occlusion::pvs(),
         ordering::painter(),

@@ -7409,6 +7409,122 @@
         <source>Proofs of what is hidden</source>
         <translation>가려진 것의 증명</translation>
     </message>
+    <message>
+        <source>A strategy draws %1 ranges by the answers to a question that has %2: each range needs one.</source>
+        <translation>전략이 %1개 범위를 답이 %2개인 질문에 따라 그리려 합니다. 범위마다 답이 하나 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>objects drawn first</source>
+        <translation>먼저 그린 물체</translation>
+    </message>
+    <message>
+        <source>objects tested</source>
+        <translation>검사한 물체</translation>
+    </message>
+    <message>
+        <source>objects hidden</source>
+        <translation>가려진 물체</translation>
+    </message>
+    <message>
+        <source>objects drawn after a test</source>
+        <translation>검사한 뒤 그린 물체</translation>
+    </message>
+    <message>
+        <source>objects for the next frame</source>
+        <translation>다음 프레임에 먼저 그릴 물체</translation>
+    </message>
+    <message>
+        <source>walk and pyramid</source>
+        <translation>순회와 피라미드</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, of which some are in the frustum.</source>
+        <translation>물체 %1개의 그룹에 있으며, 그 가운데 일부가 절두체 안에 있습니다.</translation>
+    </message>
+    <message>
+        <source>visible before, or near: draw it</source>
+        <translation>앞서 보였거나 가까움: 그리기</translation>
+    </message>
+    <message>
+        <source>the others by rounds, nearest first</source>
+        <translation>나머지를 차례로, 가까운 것부터</translation>
+    </message>
+    <message>
+        <source>reduce the depth drawn to a pyramid</source>
+        <translation>그린 깊이를 피라미드로 줄이기</translation>
+    </message>
+    <message>
+        <source>test boxes against its texels</source>
+        <translation>상자를 그 텍셀과 비교</translation>
+    </message>
+    <message>
+        <source>behind all of them: hidden, leave it out</source>
+        <translation>모두의 뒤: 가려짐, 제외</translation>
+    </message>
+    <message>
+        <source>else draw it, in the same frame</source>
+        <translation>아니면 같은 프레임에 그리기</translation>
+    </message>
+    <message>
+        <source>reduce again, test all: hidden now</source>
+        <translation>다시 줄여 모두 검사: 이제 가려짐</translation>
+    </message>
+    <message>
+        <source>else visible for the next frame</source>
+        <translation>아니면 다음 프레임에 보이는 것</translation>
+    </message>
+    <message>
+        <source>Hierarchical depth in two passes</source>
+        <translation>두 단계 계층 깊이</translation>
+    </message>
+    <message>
+        <source>Draws what was visible in the frame before, and has the GPU test all else against a pyramid of its depth and draw it in the same frame.</source>
+        <translation>앞 프레임에서 보인 것을 그린 다음, 나머지는 그 깊이의 피라미드와 GPU에서 비교해 같은 프레임에 그립니다.</translation>
+    </message>
+    <message>
+        <source>In how many rounds the other objects are tested and drawn, the nearest first: what one draws hides what the next one tests.</source>
+        <translation>나머지 물체를 몇 차례에 나누어 가까운 것부터 검사하고 그리는지: 한 차례에 그린 것이 다음 차례에 검사하는 것을 가립니다.</translation>
+    </message>
+    <message>
+        <source>Objects by the depth pyramid</source>
+        <translation>깊이 피라미드에 따른 물체</translation>
+    </message>
+    <message>
+        <source>It was visible at the end of the frame before: it is drawn first, without a test.</source>
+        <translation>앞 프레임의 끝에서 보였습니다. 검사 없이 먼저 그립니다.</translation>
+    </message>
+    <message>
+        <source>The depth of what is drawn so far is reduced to a pyramid: levels %1; a texel has the farthest depth of the pixels below it.</source>
+        <translation>지금까지 그린 것의 깊이를 피라미드로 줄입니다: 단계 %1개. 텍셀은 그 아래 픽셀들의 가장 먼 깊이를 가집니다.</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and each lies behind all texels of the pyramid that it may cover.</source>
+        <translation>삼각형은 더 작은 상자 %1개에 있고, 상자마다 덮을 수 있는 피라미드 텍셀 모두의 뒤에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and not all lie behind the texels of the pyramid that they may cover: it counts as visible.</source>
+        <translation>삼각형은 더 작은 상자 %1개에 있고, 덮을 수 있는 피라미드 텍셀 뒤에 모두 있지는 않으므로 보이는 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead. Of the texels that it may cover on level %3 of the pyramid, %4, one has pixels that show nothing yet: it counts as visible.</source>
+        <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작합니다. 피라미드 %3단계에서 덮을 수 있는 텍셀 %4개 가운데 아직 아무것도 없는 픽셀을 가진 것이 있으므로 보이는 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead. It lies behind all texels that it may cover on level %3 of the pyramid: %4; the farthest is %5 ahead.</source>
+        <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작합니다. 피라미드 %3단계에서 덮을 수 있는 텍셀 %4개 모두의 뒤에 있으며, 가장 먼 것이 앞쪽 %5에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead. Of the texels that it may cover on level %3 of the pyramid, %4, the farthest is %5 ahead: it counts as visible.</source>
+        <translation>%1만큼 키운 상자가 앞쪽 %2에서 시작합니다. 피라미드 %3단계에서 덮을 수 있는 텍셀 %4개 가운데 가장 먼 것이 앞쪽 %5에 있으므로 보이는 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>At the end of the frame it is not hidden: the next frame draws it first.</source>
+        <translation>프레임의 끝에서 가려지지 않았습니다. 다음 프레임이 먼저 그립니다.</translation>
+    </message>
+    <message>
+        <source>At the end of the frame it is hidden: the next frame does not draw it first.</source>
+        <translation>프레임의 끝에서 가려졌습니다. 다음 프레임은 먼저 그리지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7409,6 +7409,122 @@
         <source>Proofs of what is hidden</source>
         <translation>证明哪些被遮挡</translation>
     </message>
+    <message>
+        <source>A strategy draws %1 ranges by the answers to a question that has %2: each range needs one.</source>
+        <translation>策略要按一个有 %2 个答案的问题绘制 %1 个范围：每个范围需要一个答案。</translation>
+    </message>
+    <message>
+        <source>objects drawn first</source>
+        <translation>先绘制的物体</translation>
+    </message>
+    <message>
+        <source>objects tested</source>
+        <translation>测试过的物体</translation>
+    </message>
+    <message>
+        <source>objects hidden</source>
+        <translation>被遮挡的物体</translation>
+    </message>
+    <message>
+        <source>objects drawn after a test</source>
+        <translation>测试后绘制的物体</translation>
+    </message>
+    <message>
+        <source>objects for the next frame</source>
+        <translation>留给下一帧先绘制的物体</translation>
+    </message>
+    <message>
+        <source>walk and pyramid</source>
+        <translation>遍历与金字塔</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, of which some are in the frustum.</source>
+        <translation>它位于含 %1 个物体的组中，其中一些在视锥体之内。</translation>
+    </message>
+    <message>
+        <source>visible before, or near: draw it</source>
+        <translation>先前可见或很近：绘制</translation>
+    </message>
+    <message>
+        <source>the others by rounds, nearest first</source>
+        <translation>其余分轮处理，由近到远</translation>
+    </message>
+    <message>
+        <source>reduce the depth drawn to a pyramid</source>
+        <translation>把已绘深度归约成金字塔</translation>
+    </message>
+    <message>
+        <source>test boxes against its texels</source>
+        <translation>将盒与其纹素比较</translation>
+    </message>
+    <message>
+        <source>behind all of them: hidden, leave it out</source>
+        <translation>在全部之后：被遮挡，略去</translation>
+    </message>
+    <message>
+        <source>else draw it, in the same frame</source>
+        <translation>否则在同一帧中绘制</translation>
+    </message>
+    <message>
+        <source>reduce again, test all: hidden now</source>
+        <translation>再归约并全部测试：现已被遮挡</translation>
+    </message>
+    <message>
+        <source>else visible for the next frame</source>
+        <translation>否则对下一帧算作可见</translation>
+    </message>
+    <message>
+        <source>Hierarchical depth in two passes</source>
+        <translation>两遍层次深度</translation>
+    </message>
+    <message>
+        <source>Draws what was visible in the frame before, and has the GPU test all else against a pyramid of its depth and draw it in the same frame.</source>
+        <translation>绘制上一帧可见的内容，再由 GPU 将其余内容与其深度金字塔比较，并在同一帧中绘制。</translation>
+    </message>
+    <message>
+        <source>In how many rounds the other objects are tested and drawn, the nearest first: what one draws hides what the next one tests.</source>
+        <translation>其余物体分几轮测试和绘制，由近到远：一轮所绘遮住下一轮所测。</translation>
+    </message>
+    <message>
+        <source>Objects by the depth pyramid</source>
+        <translation>按深度金字塔划分的物体</translation>
+    </message>
+    <message>
+        <source>It was visible at the end of the frame before: it is drawn first, without a test.</source>
+        <translation>上一帧结束时可见：不经测试，先行绘制。</translation>
+    </message>
+    <message>
+        <source>The depth of what is drawn so far is reduced to a pyramid: levels %1; a texel has the farthest depth of the pixels below it.</source>
+        <translation>把目前所绘内容的深度归约成金字塔：%1 层；一个纹素存其下各像素中最远的深度。</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and each lies behind all texels of the pyramid that it may cover.</source>
+        <translation>它的三角形位于 %1 个更小的盒中，每个盒都在其可能覆盖的所有金字塔纹素之后。</translation>
+    </message>
+    <message>
+        <source>Its triangles lie in %1 smaller boxes, and not all lie behind the texels of the pyramid that they may cover: it counts as visible.</source>
+        <translation>它的三角形位于 %1 个更小的盒中，这些盒并非都在其可能覆盖的金字塔纹素之后：视为可见。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead. Of the texels that it may cover on level %3 of the pyramid, %4, one has pixels that show nothing yet: it counts as visible.</source>
+        <translation>扩大 %1 后的盒始于前方 %2 处。在金字塔第 %3 层可能覆盖的 %4 个纹素中，有一个含有尚无内容的像素：视为可见。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead. It lies behind all texels that it may cover on level %3 of the pyramid: %4; the farthest is %5 ahead.</source>
+        <translation>扩大 %1 后的盒始于前方 %2 处。它在金字塔第 %3 层可能覆盖的全部 %4 个纹素之后；最远的在前方 %5 处。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %1, begins %2 ahead. Of the texels that it may cover on level %3 of the pyramid, %4, the farthest is %5 ahead: it counts as visible.</source>
+        <translation>扩大 %1 后的盒始于前方 %2 处。在金字塔第 %3 层可能覆盖的 %4 个纹素中，最远的在前方 %5 处：视为可见。</translation>
+    </message>
+    <message>
+        <source>At the end of the frame it is not hidden: the next frame draws it first.</source>
+        <translation>本帧结束时未被遮挡：下一帧先绘制它。</translation>
+    </message>
+    <message>
+        <source>At the end of the frame it is hidden: the next frame does not draw it first.</source>
+        <translation>本帧结束时被遮挡：下一帧不先绘制它。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -65,19 +65,6 @@ bool NodeWalk::isOutside(NodeEntry& entry, const EyeBox& box, double margin) {
     return outside;
 }
 
-GrownBox NodeWalk::grown(const Box3& world) const {
-    const EyeBox box = relativeToEye(world, m_eye);
-    const double margin = marginFromEye(world.centre(), box.centre, glm::length(box.halfExtent), m_eye);
-    const double growth = boxGrowth(box, margin, m_frame.view());
-    return {{box.centre, box.halfExtent + Vec3(growth)}, growth};
-}
-
-bool NodeWalk::canBeAskedAbout(const GrownBox& box) const {
-    // Infinities, NaN and numbers beyond the range of float cannot be passed to OpenGL.
-    const double farthest = glm::length(box.box.centre) + glm::length(box.box.halfExtent);
-    return farthest < 1e30 && nearestAhead(box.box, m_frustum) > m_frustum.nearDistance;
-}
-
 bool NodeWalk::visibleUnasked(uint32_t number, const GrownBox& box) {
     if (m_anything && canBeAskedAbout(box)) return false;
     const char* reason =

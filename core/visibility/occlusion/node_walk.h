@@ -7,6 +7,7 @@
 #include "core/base/work_check.h"
 #include "core/frame/frame_context.h"
 #include "core/spatial/instance_octree.h"
+#include "core/visibility/occlusion/grown_box.h"
 
 namespace cullscope::occlusion {
 
@@ -16,12 +17,6 @@ inline constexpr uint32_t kPlanes = 6;
 struct NodeEntry {
     uint32_t node = 0;
     uint32_t planes = (1u << kPlanes) - 1;  ///< bit p: FrustumPlane p may cut it
-};
-
-/// A box relative to the eye as OpenGL is asked about it.
-struct GrownBox {
-    EyeBox box;           ///< grown
-    double growth = 0.0;  ///< of each side, world units
 };
 
 /// How near a node is to the eye: by the nearest point of its box, then by its centre; both squared.
@@ -64,10 +59,8 @@ protected:
     /// that it lies wholly inside. None: it is outside. Else its box, grown by boxGrowth.
     [[nodiscard]] std::optional<GrownBox> boxInFrustum(NodeEntry& entry);
     /// A box of the world relative to the eye, grown by boxGrowth.
-    [[nodiscard]] GrownBox grown(const Box3& box) const;
-    /// Whether OpenGL can answer about a grown box: it is finite, and lies wholly beyond the near plane. A box that holds a point
-    /// of the near rectangle covers no sample, and depths of what crosses the plane of the eye mean nothing.
-    [[nodiscard]] bool canBeAskedAbout(const GrownBox& box) const;
+    [[nodiscard]] GrownBox grown(const Box3& box) const { return grownBox(box, m_frame.view()); }
+    [[nodiscard]] bool canBeAskedAbout(const GrownBox& box) const { return occlusion::canBeAskedAbout(box, m_frame.view()); }
     /// Whether a node is visible without asking: nothing is drawn yet that could hide it, or it cannot be asked about. Says so.
     [[nodiscard]] bool visibleUnasked(uint32_t number, const GrownBox& box);
     [[nodiscard]] Nearness nearness(uint32_t number) const;

@@ -63,7 +63,7 @@ private:
 
 TEST_F(Certify, losslessStrategiesLoseNothing) {
     for (const char* text : {"frustum", "frustum-octree", "spherical-lossless", "occlusion-depth", "occlusion-masked",
-                             "octree-query", "occlusion-chc", "oracle"}) {
+                             "octree-query", "occlusion-chc", "occlusion-hiz", "oracle"}) {
         CertifyRequest request{strategyFromText(text)};
         request.seed = 5;
         uint64_t promised = 0, covered = 0;

@@ -9,8 +9,8 @@
 
 namespace cullscope::test {
 
-/// Objects of many sizes and directions, some large and thin, close to each other so that many hide others.
-inline ScenePointer crowd(uint64_t seed) {
+/// Objects of many sizes and directions, some large and thin, close to each other so that many hide others; around a place.
+inline ScenePointer crowd(uint64_t seed, const Vec3& place = Vec3(0.0)) {
     Random random(seed);
     std::vector<MeshPointer> meshes;
     std::vector<Mat4> places;
@@ -37,7 +37,7 @@ inline ScenePointer crowd(uint64_t seed) {
         const Vec3 size(std::pow(10.0, random.between(-1.5, 0.7)), std::pow(10.0, random.between(-1.5, 0.7)),
                         std::pow(10.0, random.between(-2.0, 0.5)));
         const Vec3 at(random.between(-5, 5), random.between(-5, 5), random.between(-5, 5));
-        places.push_back(translation(at) * turn * scaling(size));
+        places.push_back(translation(place + at) * turn * scaling(size));
     }
     return sceneOf(std::move(meshes), places);
 }
