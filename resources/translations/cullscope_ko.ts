@@ -189,7 +189,7 @@
     </message>
     <message>
         <source>Watch view %1 from outside</source>
-        <translation>뷰 %1을(를) 밖에서 관찰</translation>
+        <translation>%1 뷰를 밖에서 관찰</translation>
     </message>
     <message>
         <source>Show</source>
@@ -209,7 +209,7 @@
     </message>
     <message>
         <source>Pixels that differ from view %1</source>
-        <translation>뷰 %1과(와) 다른 픽셀</translation>
+        <translation>%1 뷰와 다른 픽셀</translation>
     </message>
     <message>
         <source>Picture size</source>
@@ -399,7 +399,7 @@
     </message>
     <message>
         <source>The strategy %1 cannot be built for this scene: %2</source>
-        <translation>이 장면에 전략 %1을(를) 준비할 수 없습니다: %2</translation>
+        <translation>이 장면에 %1 전략을 준비할 수 없습니다: %2</translation>
     </message>
     <message>
         <source>The Qt platform %1 has no OpenGL for windows. Unset QT_QPA_PLATFORM, or use cullbench, which needs no display.</source>
@@ -595,7 +595,7 @@
     </message>
     <message>
         <source>%1: the object &quot;%2&quot; is smaller than 1e-30. Scale it up.</source>
-        <translation>%1: 물체 &quot;%2&quot;이(가) 1e-30보다 작습니다. 크기를 키우세요.</translation>
+        <translation>%1: &quot;%2&quot; 물체가 1e-30보다 작습니다. 크기를 키우세요.</translation>
     </message>
     <message>
         <source>%1 holds no faces. Export the mesh with its faces, not only points or lines.</source>
@@ -743,7 +743,7 @@
     </message>
     <message>
         <source>The mesh &quot;%1&quot; cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
-        <translation>메시 &quot;%1&quot;을(를) 삼각형 %2개로 바꿀 수 없습니다. 조각들은 %3개까지만 줄일 수 있습니다. 그 이상을 지정하세요.</translation>
+        <translation>&quot;%1&quot; 메시를 삼각형 %2개로 바꿀 수 없습니다. 조각들은 %3개까지만 줄일 수 있습니다. 그 이상을 지정하세요.</translation>
     </message>
     <message>
         <source>Writing the file</source>
@@ -835,7 +835,7 @@
     </message>
     <message>
         <source>%1 has no parameter &quot;%2&quot;. It has: %3.</source>
-        <translation>%1에는 매개변수 &quot;%2&quot;이(가) 없습니다. 있는 것: %3.</translation>
+        <translation>%1에는 &quot;%2&quot; 매개변수가 없습니다. 있는 것: %3.</translation>
     </message>
     <message>
         <source>%1: &quot;%2&quot; is not of the form key=value.</source>
@@ -919,7 +919,7 @@
     </message>
     <message>
         <source>Back-face culling</source>
-        <translation>후면 제거</translation>
+        <translation>뒷면 제거</translation>
     </message>
     <message>
         <source>Draws every triangle and lets OpenGL drop those that face away: the strong baseline.</source>
@@ -975,11 +975,11 @@
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot; here. Known: %2.</source>
-        <translation>여기에는 매개변수 &quot;%1&quot;이(가) 없습니다. 알려진 것: %2.</translation>
+        <translation>여기에는 &quot;%1&quot; 매개변수가 없습니다. 알려진 것: %2.</translation>
     </message>
     <message>
         <source>There is no strategy &quot;%1&quot;. Known: %2.</source>
-        <translation>전략 &quot;%1&quot;이(가) 없습니다. 알려진 것: %2.</translation>
+        <translation>&quot;%1&quot; 전략이 없습니다. 알려진 것: %2.</translation>
     </message>
     <message>
         <source>outside the frustum</source>
@@ -1159,7 +1159,7 @@
     </message>
     <message>
         <source>There is no folder %1: choose another one.</source>
-        <translation>폴더 %1이(가) 없습니다: 다른 폴더를 고르십시오.</translation>
+        <translation>%1 폴더가 없습니다: 다른 폴더를 고르십시오.</translation>
     </message>
     <message>
         <source>Nothing can be written into the folder %1: choose another one.</source>
@@ -1211,7 +1211,7 @@
     </message>
     <message>
         <source>The scene has %1 objects now, no longer %2: all of them are shown.</source>
-        <translation>장면의 객체가 이제 %2개가 아니라 %1개입니다. 모두 표시합니다.</translation>
+        <translation>장면의 물체가 이제 %2개가 아니라 %1개입니다. 모두 표시합니다.</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -1251,7 +1251,7 @@
     </message>
     <message>
         <source>The mesh &quot;%1&quot; would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
-        <translation>메시 &quot;%1&quot;이(가) %2개 조각으로 나뉩니다. 객체는 최대 %3개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
+        <translation>&quot;%1&quot; 메시가 %2개 조각으로 나뉩니다. 물체는 최대 %3개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
     </message>
     <message>
         <source>Splitting the mesh</source>
@@ -1259,11 +1259,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; in &quot;%2&quot; is neither an object&apos;s number nor a range. Hidden objects are written as in 3,7-9.</source>
-        <translation>&quot;%2&quot;의 &quot;%1&quot;은(는) 객체 번호도 범위도 아닙니다. 숨길 객체는 3,7-9처럼 씁니다.</translation>
+        <translation>&quot;%2&quot;의 &quot;%1&quot;은(는) 물체 번호도 범위도 아닙니다. 숨길 물체는 3,7-9처럼 씁니다.</translation>
     </message>
     <message>
         <source>There is no object %1 to hide: the scene has %2 objects, counted from 0.</source>
-        <translation>숨길 객체 %1이(가) 없습니다. 장면의 객체는 %2개이며 0부터 셉니다.</translation>
+        <translation>숨길 물체 %1이(가) 없습니다. 장면의 물체는 %2개이며 0부터 셉니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has %2 triangles, too many to be one mesh.</source>
@@ -1283,11 +1283,11 @@
     </message>
     <message>
         <source>a mesh with every object split, so that there are objects to leave out; draws the same picture</source>
-        <translation>모든 객체를 나눈 메시. 뺄 수 있는 객체가 생기며, 그림은 같습니다</translation>
+        <translation>모든 물체를 나눈 메시. 뺄 수 있는 물체가 생기며, 그림은 같습니다</translation>
     </message>
     <message>
         <source>components: what hangs together becomes an object; clusters: compact pieces of like size do</source>
-        <translation>components: 이어진 것마다 객체가 됩니다. clusters: 크기가 비슷한 밀집 조각마다 객체가 됩니다</translation>
+        <translation>components: 이어진 것마다 물체가 됩니다. clusters: 크기가 비슷한 밀집 조각마다 물체가 됩니다</translation>
     </message>
     <message>
         <source>how many triangles a cluster has at most (with by=clusters)</source>
@@ -1299,7 +1299,7 @@
     </message>
     <message>
         <source>The scene would fall into %1 objects; at most %2 are possible. Split it by=clusters with more triangles each.</source>
-        <translation>장면이 %1개 객체로 나뉩니다. 최대 %2개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
+        <translation>장면이 %1개 물체로 나뉩니다. 최대 %2개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
     </message>
     <message>
         <source>left plane</source>
@@ -1339,7 +1339,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box with %2 triangles.</source>
-        <translation>물체 &quot;%1&quot;은(는) 삼각형 %2개를 담은 상자 하나로 검사됩니다.</translation>
+        <translation>&quot;%1&quot; 물체는 삼각형 %2개를 담은 상자 하나로 검사됩니다.</translation>
     </message>
     <message>
         <source>OpenGL draws the triangle: both sides count.</source>
@@ -1419,7 +1419,7 @@
     </message>
     <message>
         <source>The paper compares with drawing every face, back faces too. Against OpenGL&apos;s own back-face culling the gain is smaller: both ratios are given.</source>
-        <translation>논문은 뒷면까지 모든 면을 그리는 경우와 비교합니다. OpenGL 자체의 후면 선별과 비교하면 이득이 더 작습니다. 두 비율을 모두 보입니다.</translation>
+        <translation>논문은 뒷면까지 모든 면을 그리는 경우와 비교합니다. OpenGL 자체의 뒷면 제거와 비교하면 이득이 더 작습니다. 두 비율을 모두 보입니다.</translation>
     </message>
     <message>
         <source>The paper counts no lost pixels; here every picture is compared with the exact one.</source>
@@ -1675,7 +1675,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one bounding sphere with %2 triangles.</source>
-        <translation>물체 &quot;%1&quot;은(는) 삼각형 %2개가 든 경계구 하나로 검사합니다.</translation>
+        <translation>&quot;%1&quot; 물체는 삼각형 %2개가 든 경계구 하나로 검사합니다.</translation>
     </message>
     <message>
         <source>Its centroid lies in the map&apos;s row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
@@ -2175,11 +2175,11 @@
     </message>
     <message>
         <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
-        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
+        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 부채꼴 %2</translation>
     </message>
     <message>
         <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
-        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 구역은 따로 비교되며, 두 색으로 나뉜 띠는 일부 구역에서는 그려지고 다른 구역에서는 가려집니다.</translation>
+        <translation>위로: %1(전체 부채꼴 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 부채꼴은 따로 비교되며, 두 색으로 나뉜 띠는 일부 부채꼴에서는 그려지고 다른 부채꼴에서는 가려집니다.</translation>
     </message>
     <message>
         <source>α %1 to %2</source>
@@ -2207,11 +2207,11 @@
     </message>
     <message>
         <source>drawn in some sectors</source>
-        <translation>일부 구역에서 그려짐</translation>
+        <translation>일부 부채꼴에서 그려짐</translation>
     </message>
     <message>
         <source>hidden in some sectors</source>
-        <translation>일부 구역에서 가려짐</translation>
+        <translation>일부 부채꼴에서 가려짐</translation>
     </message>
     <message>
         <source>largest nearer</source>
@@ -2219,11 +2219,11 @@
     </message>
     <message>
         <source>Se&amp;ctor:</source>
-        <translation>구역(&amp;C):</translation>
+        <translation>부채꼴(&amp;C):</translation>
     </message>
     <message>
         <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
-        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
+        <translation>부채꼴은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 부채꼴이 표시됩니다.</translation>
     </message>
     <message>
         <source>all</source>
@@ -2391,7 +2391,7 @@
     </message>
     <message>
         <source>sector %1</source>
-        <translation>구역 %1</translation>
+        <translation>부채꼴 %1</translation>
     </message>
     <message>
         <source>visible region</source>
@@ -2507,7 +2507,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one sphere with %2 triangles.</source>
-        <translation>물체 &quot;%1&quot;은(는) 삼각형 %2개를 담은 구 하나로 검사됩니다.</translation>
+        <translation>&quot;%1&quot; 물체는 삼각형 %2개를 담은 구 하나로 검사됩니다.</translation>
     </message>
     <message>
         <source>Its sphere begins %1 from the eye, beyond the distance of %2: so far away it counts as too small.</source>
@@ -3079,7 +3079,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; lies in a box of the octree; it has %2 triangles.</source>
-        <translation>물체 &quot;%1&quot;은(는) 옥트리의 한 상자에 있고 삼각형이 %2개입니다.</translation>
+        <translation>&quot;%1&quot; 물체는 옥트리의 한 상자에 있고 삼각형이 %2개입니다.</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, of which all are drawn where their box is visible.</source>
@@ -3411,7 +3411,7 @@
     </message>
     <message>
         <source>Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.</source>
-        <translation>모서리 광선 %1은(는) 맵의 셀 %2개를 지나 R = %3에서 삼각형에 맞습니다.</translation>
+        <translation>%1번 모서리 광선은 맵의 셀 %2개를 지나 R = %3에서 삼각형에 맞습니다.</translation>
     </message>
     <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
@@ -3487,7 +3487,7 @@
     </message>
     <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
-        <translation>삼각형 %1이(가) 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
+        <translation>%1 삼각형이 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
     </message>
     <message>
         <source>The triangle lies beyond a plane of the frustum.</source>
@@ -3539,27 +3539,27 @@
     </message>
     <message>
         <source>Ray %1 passes a cell in which no triangle lies.</source>
-        <translation>광선 %1은(는) 삼각형이 없는 셀을 지납니다.</translation>
+        <translation>%1번 광선은 삼각형이 없는 셀을 지납니다.</translation>
     </message>
     <message>
         <source>Ray %1 stays at R ≥ %2 in this cell, whose triangles end at R = %3: none of them is hit.</source>
-        <translation>이 셀에서 광선 %1은(는) R ≥ %2이고 셀의 삼각형은 R = %3에서 끝납니다. 아무것에도 맞지 않습니다.</translation>
+        <translation>이 셀에서 %1번 광선은 R ≥ %2이고 셀의 삼각형은 R = %3에서 끝납니다. 아무것에도 맞지 않습니다.</translation>
     </message>
     <message>
         <source>Ray %1 stays at R ≤ %2 in this cell, whose triangles begin at R = %3: none of them is hit.</source>
-        <translation>이 셀에서 광선 %1은(는) R ≤ %2이고 셀의 삼각형은 R = %3에서 시작합니다. 아무것에도 맞지 않습니다.</translation>
+        <translation>이 셀에서 %1번 광선은 R ≤ %2이고 셀의 삼각형은 R = %3에서 시작합니다. 아무것에도 맞지 않습니다.</translation>
     </message>
     <message>
         <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles one is hit.</source>
-        <translation>이 셀에서 광선 %1은(는) R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 하나에 맞습니다.</translation>
+        <translation>이 셀에서 %1번 광선은 R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 하나에 맞습니다.</translation>
     </message>
     <message>
         <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles none is hit.</source>
-        <translation>이 셀에서 광선 %1은(는) R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 아무것에도 맞지 않습니다.</translation>
+        <translation>이 셀에서 %1번 광선은 R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 아무것에도 맞지 않습니다.</translation>
     </message>
     <message>
         <source>Corner ray %1 enters the bounding sphere at R = %2.</source>
-        <translation>모서리 광선 %1은(는) R = %2에서 경계 구에 들어갑니다.</translation>
+        <translation>%1번 모서리 광선은 R = %2에서 경계 구에 들어갑니다.</translation>
     </message>
     <message>
         <source>Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
@@ -3579,7 +3579,7 @@
     </message>
     <message>
         <source>Cells %1 to %2 are one range of the memory access map: %3 triangles from place %4 on are drawn.</source>
-        <translation>셀 %1~%2은(는) 메모리 접근 맵의 한 구간입니다. 자리 %4부터 삼각형 %3개를 그립니다.</translation>
+        <translation>%1~%2번 셀은 메모리 접근 맵의 한 구간입니다. 자리 %4부터 삼각형 %3개를 그립니다.</translation>
     </message>
     <message>
         <source>not yet decided</source>
@@ -3623,11 +3623,11 @@
     </message>
     <message>
         <source>Triangle %1, which waited, is taken again; its farthest depth is %2.</source>
-        <translation>기다리던 삼각형 %1을(를) 다시 잡는다. 가장 먼 깊이는 %2이다.</translation>
+        <translation>기다리던 %1 삼각형을 다시 잡는다. 가장 먼 깊이는 %2이다.</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot; here, and no other one.</source>
-        <translation>여기에는 매개변수 &quot;%1&quot;이(가) 없으며, 다른 매개변수도 없습니다.</translation>
+        <translation>여기에는 &quot;%1&quot; 매개변수가 없으며, 다른 매개변수도 없습니다.</translation>
     </message>
     <message>
         <source>The triangle covers %1 samples. At column %2 of row %3 its depth is %4.</source>
@@ -3635,11 +3635,11 @@
     </message>
     <message>
         <source>Its depth %1 there does not exceed the stored %2. It is nearer at none of its samples.</source>
-        <translation>거기서 깊이 %1은(는) 저장된 %2보다 크지 않습니다. 어느 표본에서도 더 가깝지 않습니다.</translation>
+        <translation>거기서 깊이(%1)는 저장된 %2보다 크지 않습니다. 어느 표본에서도 더 가깝지 않습니다.</translation>
     </message>
     <message>
         <source>At %1 samples it is nearer, at %2 of them the first surface. There its depth %3 exceeds the stored %4: drawn.</source>
-        <translation>표본 %1개에서 더 가깝고, 그중 %2개에서는 첫 번째 면입니다. 거기서 깊이 %3이(가) 저장된 %4보다 큽니다: 그립니다.</translation>
+        <translation>표본 %1개에서 더 가깝고, 그중 %2개에서는 첫 번째 면입니다. 거기서 깊이(%3)가 저장된 %4보다 큽니다: 그립니다.</translation>
     </message>
     <message>
         <source>Columns %1 to %2 are filled with it.</source>
@@ -3911,71 +3911,71 @@
     </message>
     <message>
         <source>The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle %1: it lies nearer, and so do all after it.</source>
-        <translation>삼각형 %2의 가장 먼 깊이 %4은(는) 삼각형 %1의 가장 가까운 깊이 %3을(를) 넘지 않는다. 이 삼각형과 그 뒤의 모든 삼각형이 더 가깝다.</translation>
+        <translation>삼각형 %2의 가장 먼 깊이(%4)는 삼각형 %1의 가장 가까운 깊이(%3)를 넘지 않는다. 이 삼각형과 그 뒤의 모든 삼각형이 더 가깝다.</translation>
     </message>
     <message>
         <source>The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they overlap in depth.</source>
-        <translation>삼각형 %2의 가장 먼 깊이 %4은(는) 삼각형 %1의 가장 가까운 깊이 %3을(를) 넘는다. 깊이가 겹친다.</translation>
+        <translation>삼각형 %2의 가장 먼 깊이(%4)는 삼각형 %1의 가장 가까운 깊이(%3)를 넘는다. 깊이가 겹친다.</translation>
     </message>
     <message>
         <source>Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
-        <translation>검사 1: x 방향으로 삼각형 %1은(는) 픽셀 %3에서, 삼각형 %2은(는) %4에서 끝난다. 떨어져 있다.</translation>
+        <translation>검사 1: x 방향으로 %1 삼각형은 픽셀 %3에서, %2 삼각형은 %4에서 끝난다. 떨어져 있다.</translation>
     </message>
     <message>
         <source>Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
-        <translation>검사 1: x 방향으로 삼각형 %1와(과) %2이(가) 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+        <translation>검사 1: x 방향으로 %1 삼각형과 %2 삼각형이 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
     </message>
     <message>
         <source>Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
-        <translation>검사 2: y 방향으로 삼각형 %1은(는) 픽셀 %3에서, 삼각형 %2은(는) %4에서 끝난다. 떨어져 있다.</translation>
+        <translation>검사 2: y 방향으로 %1 삼각형은 픽셀 %3에서, %2 삼각형은 %4에서 끝난다. 떨어져 있다.</translation>
     </message>
     <message>
         <source>Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
-        <translation>검사 2: y 방향으로 삼각형 %1와(과) %2이(가) 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+        <translation>검사 2: y 방향으로 %1 삼각형과 %2 삼각형이 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
     </message>
     <message>
         <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it lies wholly behind.</source>
-        <translation>검사 3: 눈에서 볼 때 삼각형 %1은(는) 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있다.</translation>
+        <translation>검사 3: 눈에서 볼 때 %1 삼각형은 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있다.</translation>
     </message>
     <message>
         <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it does not lie wholly behind.</source>
-        <translation>검사 3: 눈에서 볼 때 삼각형 %1은(는) 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있지는 않다.</translation>
+        <translation>검사 3: 눈에서 볼 때 %1 삼각형은 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있지는 않다.</translation>
     </message>
     <message>
         <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it lies wholly before.</source>
-        <translation>검사 4: 눈에서 볼 때 삼각형 %2은(는) 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있다.</translation>
+        <translation>검사 4: 눈에서 볼 때 %2 삼각형은 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있다.</translation>
     </message>
     <message>
         <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it does not lie wholly before.</source>
-        <translation>검사 4: 눈에서 볼 때 삼각형 %2은(는) 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있지는 않다.</translation>
+        <translation>검사 4: 눈에서 볼 때 %2 삼각형은 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있지는 않다.</translation>
     </message>
     <message>
         <source>No test lets triangle %1, with the farthest depth %3, come before triangle %2, with %4: the second one is taken first.</source>
-        <translation>어느 검사로도 가장 먼 깊이가 %3인 삼각형 %1이(가) 가장 먼 깊이가 %4인 삼각형 %2보다 먼저 올 수 없다. 뒤의 것을 먼저 다룬다.</translation>
+        <translation>어느 검사로도 가장 먼 깊이가 %3인 %1 삼각형이 가장 먼 깊이가 %4인 삼각형 %2보다 먼저 올 수 없다. 뒤의 것을 먼저 다룬다.</translation>
     </message>
     <message>
         <source>Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which is marked: a cycle, in which one is cut.</source>
-        <translation>가장 먼 깊이가 %3인 삼각형 %1은(는) 표시된 삼각형 %2(가장 먼 깊이 %4)을(를) 기다린다. 순환이므로 하나를 자른다.</translation>
+        <translation>가장 먼 깊이가 %3인 %1 삼각형은 표시된 %2 삼각형(가장 먼 깊이 %4)을 기다린다. 순환이므로 하나를 자른다.</translation>
     </message>
     <message>
         <source>Triangles %1 and %2 pass through each other: 1 / depth of the first less that of the second goes from %3 to %4. One of them is cut.</source>
-        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 하나를 자른다.</translation>
+        <translation>%1 삼각형과 %2 삼각형은 서로 뚫고 지나간다. 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 하나를 자른다.</translation>
     </message>
     <message>
         <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nowhere nearer.</source>
-        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것은 어디에서도 더 가깝지 않다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것은 어디에서도 더 가깝지 않다.</translation>
     </message>
     <message>
         <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nearer somewhere.</source>
-        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것이 어딘가에서 더 가깝다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것이 어딘가에서 더 가깝다.</translation>
     </message>
     <message>
         <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they count as apart.</source>
-        <translation>검사 5: 삼각형 %1과(와) %2의 투영은 %3픽셀 겹친다. %4을(를) 넘지 않으므로 떨어진 것으로 본다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영은 %3픽셀 겹친다. 한도(%4)를 넘지 않으므로 떨어진 것으로 본다.</translation>
     </message>
     <message>
         <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not apart.</source>
-        <translation>검사 5: 삼각형 %1과(와) %2의 투영은 %3픽셀 겹친다. %4을(를) 넘으므로 떨어져 있지 않다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영은 %3픽셀 겹친다. 한도(%4)를 넘으므로 떨어져 있지 않다.</translation>
     </message>
     <message>
         <source>drawn polygons alone, above %1 triangles</source>
@@ -4247,7 +4247,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box, then each of its %2 triangles by its size.</source>
-        <translation>물체 &quot;%1&quot;을(를) 상자 하나로 검사한 뒤, 삼각형 %2개를 하나씩 크기로 검사합니다.</translation>
+        <translation>&quot;%1&quot; 물체를 상자 하나로 검사한 뒤, 삼각형 %2개를 하나씩 크기로 검사합니다.</translation>
     </message>
     <message>
         <source>Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.</source>
@@ -4483,7 +4483,7 @@
     </message>
     <message>
         <source>Of its levels 0 to %1, level %2 moves its surface by at most %3 of %4 pixels.</source>
-        <translation>단계 0~%1 가운데 단계 %2은(는) 표면을 많아야 %3픽셀 움직인다(허용 %4픽셀).</translation>
+        <translation>단계 0~%1 가운데 %2번 단계는 표면을 많아야 %3픽셀 움직인다(허용 %4픽셀).</translation>
     </message>
     <message>
         <source>Level %1 would do with %2 pixels; it changes to a coarser level only below %3.</source>
@@ -4707,7 +4707,7 @@
     </message>
     <message>
         <source>Triangles whose sides change by more than a tenth, because their object is too large beside them for floats: %1. Remove what lies far away, or make it an object of its own.</source>
-        <translation>객체가 삼각형에 비해 너무 커서 float로 반올림할 때 변이 10분의 1 넘게 바뀌는 삼각형: %1. 멀리 있는 것을 제거하거나 별도의 객체로 만드세요.</translation>
+        <translation>물체가 삼각형에 비해 너무 커서 float로 반올림할 때 변이 10분의 1 넘게 바뀌는 삼각형: %1. 멀리 있는 것을 제거하거나 별도의 물체로 만드세요.</translation>
     </message>
     <message>
         <source>OpenGL cannot be started, for want of memory. Close other programs, or allow this one more (ulimit -v).</source>
@@ -4747,7 +4747,7 @@
     </message>
     <message>
         <source>Triangle %2 is drawn, with node %3.</source>
-        <translation>삼각형 %2을(를) 노드 %3에서 그립니다.</translation>
+        <translation>%2 삼각형을 노드 %3에서 그립니다.</translation>
     </message>
     <message>
         <source>The tree has the triangle as a whole, drawn where the walk comes to it.</source>
@@ -4755,7 +4755,7 @@
     </message>
     <message>
         <source>Triangle %2 covers no sample and is compared with none: it is drawn.</source>
-        <translation>삼각형 %2은(는) 샘플을 덮지 않아 어떤 것과도 비교되지 않고 그려집니다.</translation>
+        <translation>%2 삼각형은 샘플을 덮지 않아 어떤 것과도 비교되지 않고 그려집니다.</translation>
     </message>
     <message>
         <source>The centroid of triangle %2, at the distance %3, is the farthest one left: it is drawn without a test.</source>
@@ -4763,11 +4763,11 @@
     </message>
     <message>
         <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: it is drawn all the same.</source>
-        <translation>반올림 때문에만 삼각형 %2이(가) 아직 다른 것을 기다리고, 그중 자를 수 있는 것이 없습니다. 그래도 그립니다.</translation>
+        <translation>반올림 때문에만 %2 삼각형이 아직 다른 것을 기다리고, 그중 자를 수 있는 것이 없습니다. 그래도 그립니다.</translation>
     </message>
     <message>
         <source>Nothing is left that has to come before: triangle %2 is drawn.</source>
-        <translation>먼저 와야 할 것이 남아 있지 않습니다. 삼각형 %2을(를) 그립니다.</translation>
+        <translation>먼저 와야 할 것이 남아 있지 않습니다. %2 삼각형을 그립니다.</translation>
     </message>
     <message>
         <source>No surface reaches here: nothing is compared, and nothing is filled.</source>
@@ -4879,7 +4879,7 @@
     </message>
     <message>
         <source>%1: a session has no field &quot;%2&quot; here.</source>
-        <translation>%1: 세션에는 여기에 필드 &quot;%2&quot;이(가) 없습니다.</translation>
+        <translation>%1: 세션에는 여기에 &quot;%2&quot; 필드가 없습니다.</translation>
     </message>
     <message>
         <source>%1: the step has no sentence: add a line &quot;say&quot;.</source>
@@ -4887,7 +4887,7 @@
     </message>
     <message>
         <source>The camera path %1 has no pose %2 here: its last one is %3.</source>
-        <translation>카메라 경로 %1에는 자세 %2이(가) 없습니다. 마지막은 %3입니다.</translation>
+        <translation>카메라 경로 %1에는 %2번 자세가 없습니다. 마지막은 %3입니다.</translation>
     </message>
     <message>
         <source>there are 1, 2, 4, 6 or 8 views.</source>
@@ -5375,7 +5375,7 @@
     </message>
     <message>
         <source>Contour bands from the nearest point, S by sector</source>
-        <translation>가장 가까운 점부터의 등고선 띠, 구역별 S</translation>
+        <translation>가장 가까운 점부터의 등고선 띠, 부채꼴별 S</translation>
     </message>
     <message>
         <source>Near half, and what no larger S hides</source>
@@ -5403,7 +5403,7 @@
     </message>
     <message>
         <source>Two of the state files tried block %1: each shard is to be merged once.</source>
-        <translation>상태 파일 두 개가 블록 %1을(를) 시험했습니다. 각 조각은 한 번만 합치세요.</translation>
+        <translation>상태 파일 두 개가 %1번 블록을 시험했습니다. 각 조각은 한 번만 합치세요.</translation>
     </message>
     <message>
         <source>%1 has the state of another run, of %2 with seed %3: name another file, or remove it.</source>
@@ -5667,7 +5667,7 @@
     </message>
     <message>
         <source>There is no case &quot;%1&quot;. Known: their numbers, or %2.</source>
-        <translation>사례 &quot;%1&quot;이(가) 없습니다. 알려진 것: 번호 또는 %2.</translation>
+        <translation>&quot;%1&quot; 사례가 없습니다. 알려진 것: 번호 또는 %2.</translation>
     </message>
     <message>
         <source>all %1 findings are right</source>
@@ -5699,7 +5699,7 @@
     </message>
     <message>
         <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
-        <translation>활성 뷰에서 한 구역의 각 등고선 띠의 S를 보여 줍니다. 축에서 그것을 잰 표면까지의 선이며, 띠가 가려진 곳은 점선입니다</translation>
+        <translation>활성 뷰에서 한 부채꼴의 각 등고선 띠의 S를 보여 줍니다. 축에서 그것을 잰 표면까지의 선이며, 띠가 가려진 곳은 점선입니다</translation>
     </message>
     <message>
         <source>write x, y, z or view, and a share, as in &quot;x:0.5&quot;.</source>
@@ -6031,7 +6031,7 @@
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation>폴더 %1을(를) 만들 수 없습니다: %2.</translation>
+        <translation>%1 폴더를 만들 수 없습니다: %2.</translation>
     </message>
     <message>
         <source>writing</source>
@@ -6283,7 +6283,7 @@
     </message>
     <message>
         <source>S of the bands of %1 in one sector</source>
-        <translation>한 구역에서 폭 %1인 띠의 S</translation>
+        <translation>한 부채꼴에서 폭 %1인 띠의 S</translation>
     </message>
     <message>
         <source>the largest S: from the axis to the surface</source>
@@ -6291,7 +6291,7 @@
     </message>
     <message>
         <source>edges of the sector and its bands</source>
-        <translation>구역과 그 띠의 경계</translation>
+        <translation>부채꼴과 그 띠의 경계</translation>
     </message>
     <message>
         <source>hidden for good by a nearer band, though its S is larger</source>
@@ -6775,7 +6775,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box, then by its clusters; it has %2 triangles.</source>
-        <translation>물체 &quot;%1&quot;은(는) 먼저 상자 하나로, 그다음 클러스터별로 검사됩니다. 삼각형은 %2개입니다.</translation>
+        <translation>&quot;%1&quot; 물체는 먼저 상자 하나로, 그다음 클러스터별로 검사됩니다. 삼각형은 %2개입니다.</translation>
     </message>
     <message>
         <source>Boxes of clusters</source>
@@ -7099,7 +7099,7 @@
     </message>
     <message>
         <source>%1 requires the extension &quot;%2&quot;, which is not read. Export the file without it.</source>
-        <translation>%1 파일에 필요한 확장 &quot;%2&quot;을(를) 읽지 못합니다. 그 확장 없이 내보내십시오.</translation>
+        <translation>%1 파일에 필요한 &quot;%2&quot; 확장을 읽지 못합니다. 그 확장 없이 내보내십시오.</translation>
     </message>
     <message>
         <source>%1 names the scene %2, which it does not have. Export the file again.</source>
@@ -7890,11 +7890,11 @@ OpenGL %2
     </message>
     <message>
         <source>Go to camera %1</source>
-        <translation>카메라 %1(으)로 이동</translation>
+        <translation>%1번 카메라로 이동</translation>
     </message>
     <message>
         <source>Keep as camera %1</source>
-        <translation>카메라 %1(으)로 보관</translation>
+        <translation>%1번 카메라로 보관</translation>
     </message>
     <message>
         <source>Models, sessions and pictures</source>
@@ -10724,7 +10724,7 @@ sides [95 %]</source>
     <name>cullscope::ui::UndoStep</name>
     <message>
         <source>hidden objects</source>
-        <translation>숨긴 객체</translation>
+        <translation>숨긴 물체</translation>
     </message>
     <message>
         <source>camera</source>
@@ -10818,7 +10818,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>What view %1 shows, and how</source>
-        <translation>뷰 %1이(가) 보이는 것과 방식</translation>
+        <translation>%1 뷰가 보이는 것과 방식</translation>
     </message>
     <message>
         <source>watches %1</source>
@@ -10889,7 +10889,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>%1 pixels differ from view %2</source>
-        <translation>뷰 %2과(와) 다른 픽셀 %1개</translation>
+        <translation>%2 뷰와 다른 픽셀 %1개</translation>
     </message>
     <message>
         <source>hidden objects: %1</source>

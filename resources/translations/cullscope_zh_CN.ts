@@ -1211,7 +1211,7 @@
     </message>
     <message>
         <source>The scene has %1 objects now, no longer %2: all of them are shown.</source>
-        <translation>场景现在有 %1 个对象，不再是 %2 个：全部显示。</translation>
+        <translation>场景现在有 %1 个物体，不再是 %2 个：全部显示。</translation>
     </message>
     <message>
         <source>Saved %1.</source>
@@ -1243,7 +1243,7 @@
     </message>
     <message>
         <source>drawn in vain</source>
-        <translation>白白绘制</translation>
+        <translation>徒劳绘制</translation>
     </message>
     <message>
         <source>wrongly culled</source>
@@ -1251,7 +1251,7 @@
     </message>
     <message>
         <source>The mesh &quot;%1&quot; would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
-        <translation>网格“%1”会分成 %2 块，而对象最多 %3 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
+        <translation>网格“%1”会分成 %2 块，而物体最多 %3 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
     </message>
     <message>
         <source>Splitting the mesh</source>
@@ -1259,11 +1259,11 @@
     </message>
     <message>
         <source>&quot;%1&quot; in &quot;%2&quot; is neither an object&apos;s number nor a range. Hidden objects are written as in 3,7-9.</source>
-        <translation>“%2”中的“%1”既不是对象编号也不是范围。要隐藏的对象写成 3,7-9 的样子。</translation>
+        <translation>“%2”中的“%1”既不是物体编号也不是范围。要隐藏的物体写成 3,7-9 的样子。</translation>
     </message>
     <message>
         <source>There is no object %1 to hide: the scene has %2 objects, counted from 0.</source>
-        <translation>没有可隐藏的对象 %1：场景有 %2 个对象，从 0 数起。</translation>
+        <translation>没有可隐藏的物体 %1：场景有 %2 个物体，从 0 数起。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has %2 triangles, too many to be one mesh.</source>
@@ -1283,11 +1283,11 @@
     </message>
     <message>
         <source>a mesh with every object split, so that there are objects to leave out; draws the same picture</source>
-        <translation>把每个对象拆开的网格，使得有对象可以剔除；画面不变</translation>
+        <translation>把每个物体拆开的网格，使得有物体可以剔除；画面不变</translation>
     </message>
     <message>
         <source>components: what hangs together becomes an object; clusters: compact pieces of like size do</source>
-        <translation>components：相连的部分各成一个对象；clusters：大小相近的紧凑块各成一个对象</translation>
+        <translation>components：相连的部分各成一个物体；clusters：大小相近的紧凑块各成一个物体</translation>
     </message>
     <message>
         <source>how many triangles a cluster has at most (with by=clusters)</source>
@@ -1299,7 +1299,7 @@
     </message>
     <message>
         <source>The scene would fall into %1 objects; at most %2 are possible. Split it by=clusters with more triangles each.</source>
-        <translation>场景会分成 %1 个对象，而最多 %2 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
+        <translation>场景会分成 %1 个物体，而最多 %2 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
     </message>
     <message>
         <source>left plane</source>
@@ -1331,15 +1331,15 @@
     </message>
     <message>
         <source>The strategy leaves the object out: %1.</source>
-        <translation>策略略去该对象：%1。</translation>
+        <translation>策略略去该物体：%1。</translation>
     </message>
     <message>
         <source>The strategy keeps the object.</source>
-        <translation>策略保留该对象。</translation>
+        <translation>策略保留该物体。</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box with %2 triangles.</source>
-        <translation>对象“%1”作为一个包含 %2 个三角形的包围盒进行测试。</translation>
+        <translation>物体“%1”作为一个包含 %2 个三角形的包围盒进行测试。</translation>
     </message>
     <message>
         <source>OpenGL draws the triangle: both sides count.</source>
@@ -1619,11 +1619,11 @@
     </message>
     <message>
         <source>Width of a contour band, seen from the centre.</source>
-        <translation>从中心看等高带的宽度。</translation>
+        <translation>从中心看等高环带的宽度。</translation>
     </message>
     <message>
         <source>Sectors into which a contour band is divided.</source>
-        <translation>等高带所分的扇区数。</translation>
+        <translation>等高环带所分的扇区数。</translation>
     </message>
     <message>
         <source>draw list</source>
@@ -1631,7 +1631,7 @@
     </message>
     <message>
         <source>maps and bands</source>
-        <translation>图与等高带</translation>
+        <translation>图与等高环带</translation>
     </message>
     <message>
         <source>Spherical coordinates</source>
@@ -1639,7 +1639,7 @@
     </message>
     <message>
         <source>Looks up on a map of directions what four corner rays enclose; seen whole, compares contour bands by S. As published, with its losses.</source>
-        <translation>在方向图上查找四条角光线所围的部分；整体可见时按 S 比较等高带。与论文一致，损失也一并保留。</translation>
+        <translation>在方向图上查找四条角光线所围的部分；整体可见时按 S 比较等高环带。与论文一致，损失也一并保留。</translation>
     </message>
     <message>
         <source>straight on the map, so that the extremes are the hits&apos;</source>
@@ -1671,11 +1671,11 @@
     </message>
     <message>
         <source>The strategy draws the object in part; the rest is left out: %1.</source>
-        <translation>该策略绘制对象的一部分；其余省去：%1。</translation>
+        <translation>该策略绘制物体的一部分；其余省去：%1。</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one bounding sphere with %2 triangles.</source>
-        <translation>对象“%1”作为一个含 %2 个三角形的包围球来检验。</translation>
+        <translation>物体“%1”作为一个含 %2 个三角形的包围球来检验。</translation>
     </message>
     <message>
         <source>Its centroid lies in the map&apos;s row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
@@ -1691,7 +1691,7 @@
     </message>
     <message>
         <source>The object&apos;s bounding sphere: %1.</source>
-        <translation>对象的包围球：%1。</translation>
+        <translation>物体的包围球：%1。</translation>
     </message>
     <message>
         <source>half a hollow sphere, open towards z: closed, hides its inside from its outside</source>
@@ -1751,7 +1751,7 @@
     </message>
     <message>
         <source>groups of objects</source>
-        <translation>对象组</translation>
+        <translation>物体组</translation>
     </message>
     <message>
         <source>Spherical coordinates, lossless</source>
@@ -1775,7 +1775,7 @@
     </message>
     <message>
         <source>How often the map is quartered: 2^level cells a side; 0: down to some four dozen triangles a cell. An object of fewer than a thousand is one cell.</source>
-        <translation>图被四等分的次数：每边 2^level 个单元；0：细分到每个单元约四十八个三角形。不足一千个三角形的对象为一个单元。</translation>
+        <translation>图被四等分的次数：每边 2^level 个单元；0：细分到每个单元约四十八个三角形。不足一千个三角形的物体为一个单元。</translation>
     </message>
     <message>
         <source>Whether cells whose triangles all face away are left out (where only front sides are drawn).</source>
@@ -1787,15 +1787,15 @@
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the frustum, so that its objects were tested one by one.</source>
-        <translation>它属于一个有 %1 个对象的组，先测试了该组的包围盒：跨越视锥体的边界，因此对其中的对象逐一测试。</translation>
+        <translation>它属于一个有 %1 个物体的组，先测试了该组的包围盒：跨越视锥体的边界，因此对其中的物体逐一测试。</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: outside the %2.</source>
-        <translation>它属于一个有 %1 个对象的组，先测试了该组的包围盒：位于%2之外。</translation>
+        <translation>它属于一个有 %1 个物体的组，先测试了该组的包围盒：位于%2之外。</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: wholly inside the frustum, so that nothing of it was tested again.</source>
-        <translation>它属于一个有 %1 个对象的组，先测试了该组的包围盒：完全位于视锥体之内，因此组内不再逐一测试。</translation>
+        <translation>它属于一个有 %1 个物体的组，先测试了该组的包围盒：完全位于视锥体之内，因此组内不再逐一测试。</translation>
     </message>
     <message>
         <source>No test left the cell out: its triangles are drawn.</source>
@@ -1823,11 +1823,11 @@
     </message>
     <message>
         <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
-        <translation>此处未使用核的地平线：近平面切过包围球，对象在图像中太小，或该测试已关闭。</translation>
+        <translation>此处未使用核的地平线：近平面切过包围球，物体在图像中太小，或该测试已关闭。</translation>
     </message>
     <message>
         <source>The object has too few triangles to be divided: it is one cell.</source>
-        <translation>该对象的三角形太少，不再划分：它是一个单元。</translation>
+        <translation>该物体的三角形太少，不再划分：它是一个单元。</translation>
     </message>
     <message>
         <source>The walk over the map ended at a cell of level %1, which holds %2 triangles.</source>
@@ -1835,7 +1835,7 @@
     </message>
     <message>
         <source>The strategy draws the object in part; %1 of its triangles are left out: %2.</source>
-        <translation>策略绘制该对象的一部分；其中 %1 个三角形被略去：%2。</translation>
+        <translation>策略绘制该物体的一部分；其中 %1 个三角形被略去：%2。</translation>
     </message>
     <message>
         <source>OpenGL&apos;s selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
@@ -1959,7 +1959,7 @@
     </message>
     <message>
         <source>Draws the objects&apos; boxes in OpenGL&apos;s selection mode: the hit records name the objects in view.</source>
-        <translation>以 OpenGL 选择模式绘制对象的盒：命中记录给出视野内的对象。</translation>
+        <translation>以 OpenGL 选择模式绘制物体的盒：命中记录给出视野内的物体。</translation>
     </message>
     <message>
         <source>Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the boxes are drawn again.</source>
@@ -1971,11 +1971,11 @@
     </message>
     <message>
         <source>Draws the objects&apos; boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
-        <translation>不可见地绘制对象的盒，每个盒一次遮挡查询：覆盖采样点的即在视野内。</translation>
+        <translation>不可见地绘制物体的盒，每个盒一次遮挡查询：覆盖采样点的即在视野内。</translation>
     </message>
     <message>
         <source>the mesh&apos;s own box, turned with the object, by its corner farthest inside</source>
-        <translation>网格自身的盒随对象旋转，以其最靠内的角点判断</translation>
+        <translation>网格自身的盒随物体旋转，以其最靠内的角点判断</translation>
     </message>
     <message>
         <source>View-frustum culling by groups</source>
@@ -1983,11 +1983,11 @@
     </message>
     <message>
         <source>Leaves out whole groups of objects by an octree over their boxes, and draws the rest nearest first.</source>
-        <translation>用对象盒的八叉树整组剔除，其余由近及远绘制。</translation>
+        <translation>用物体盒的八叉树整组剔除，其余由近及远绘制。</translation>
     </message>
     <message>
         <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum&apos;s edges.</source>
-        <translation>是否对被多个平面切割者再用分离轴测试，从而剔除位于视锥体棱边旁的对象。</translation>
+        <translation>是否对被多个平面切割者再用分离轴测试，从而剔除位于视锥体棱边旁的物体。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; draws in OpenGL&apos;s selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: &quot;frustum-query&quot; asks the same without it.</source>
@@ -2015,7 +2015,7 @@
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum.</source>
-        <translation>它属于一个 %1 个对象的组，该组的盒先被测试：有一根轴将其与视锥体分开。</translation>
+        <translation>它属于一个 %1 个物体的组，该组的盒先被测试：有一根轴将其与视锥体分开。</translation>
     </message>
     <message>
         <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
@@ -2031,7 +2031,7 @@
     </message>
     <message>
         <source>Contour bands</source>
-        <translation>等高线环带</translation>
+        <translation>等高环带</translation>
     </message>
     <message>
         <source>Inner kernel and horizon</source>
@@ -2039,7 +2039,7 @@
     </message>
     <message>
         <source>&amp;Contour bands</source>
-        <translation>等高线环带(&amp;C)</translation>
+        <translation>等高环带(&amp;C)</translation>
     </message>
     <message>
         <source>Inner &amp;kernel and horizon</source>
@@ -2083,7 +2083,7 @@
     </message>
     <message>
         <source>for each object</source>
-        <translation>对每个对象</translation>
+        <translation>对每个物体</translation>
     </message>
     <message>
         <source>box at near rectangle: in view</source>
@@ -2127,11 +2127,11 @@
     </message>
     <message>
         <source>outside: leave all its objects out</source>
-        <translation>在外：略去其全部对象</translation>
+        <translation>在外：略去其全部物体</translation>
     </message>
     <message>
         <source>inside: keep all its objects</source>
-        <translation>在所有平面之内：保留其全部对象</translation>
+        <translation>在所有平面之内：保留其全部物体</translation>
     </message>
     <message>
         <source>else visit(parts, cutting planes)</source>
@@ -2139,19 +2139,19 @@
     </message>
     <message>
         <source>no parts: test each object too</source>
-        <translation>没有部分：同样测试每个对象</translation>
+        <translation>没有部分：同样测试每个物体</translation>
     </message>
     <message>
         <source>outside: leave the object out</source>
-        <translation>在外：略去该对象</translation>
+        <translation>在外：略去该物体</translation>
     </message>
     <message>
         <source>draw the objects kept, nearest first</source>
-        <translation>由近到远绘制保留的对象</translation>
+        <translation>由近到远绘制保留的物体</translation>
     </message>
     <message>
         <source>Objects by the plane that rejected them</source>
-        <translation>按排除它们的平面统计对象</translation>
+        <translation>按排除它们的平面统计物体</translation>
     </message>
     <message>
         <source>no single plane</source>
@@ -2159,7 +2159,7 @@
     </message>
     <message>
         <source>Size by contour band</source>
-        <translation>各等高线环带的大小</translation>
+        <translation>各等高环带的大小</translation>
     </message>
     <message>
         <source>Beyond α = %1 nothing is drawn.</source>
@@ -2235,7 +2235,7 @@
     </message>
     <message>
         <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
-        <translation>%1：%2，未测试其环带。要查看环带，请让整个对象位于画面内。</translation>
+        <translation>%1：%2，未测试其环带。要查看环带，请让整个物体位于画面内。</translation>
     </message>
     <message>
         <source>Entries a cell</source>
@@ -2383,7 +2383,7 @@
     </message>
     <message>
         <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
-        <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
+        <translation>角射线 %1，%2：从物体旁经过；取其进入包围球之处。</translation>
     </message>
     <message>
         <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
@@ -2451,15 +2451,15 @@
     </message>
     <message>
         <source>test groups, objects by planes</source>
-        <translation>先组后对象，用平面测试</translation>
+        <translation>先组后物体，用平面测试</translation>
     </message>
     <message>
         <source>outside: leave it all out</source>
-        <translation>在外：略去该组或对象</translation>
+        <translation>在外：略去该组或物体</translation>
     </message>
     <message>
         <source>each other object (small: draw)</source>
-        <translation>对其余每个对象（较小者：绘制）</translation>
+        <translation>对其余每个物体（较小者：绘制）</translation>
     </message>
     <message>
         <source>sphere outside: leave it out</source>
@@ -2507,7 +2507,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one sphere with %2 triangles.</source>
-        <translation>对象“%1”作为一个包含 %2 个三角形的球进行测试。</translation>
+        <translation>物体“%1”作为一个包含 %2 个三角形的球进行测试。</translation>
     </message>
     <message>
         <source>Its sphere begins %1 from the eye, beyond the distance of %2: so far away it counts as too small.</source>
@@ -2527,7 +2527,7 @@
     </message>
     <message>
         <source>Show in the active view how far from the culling eye objects are drawn</source>
-        <translation>在活动视图中显示从剔除视点起绘制对象的最远距离</translation>
+        <translation>在活动视图中显示从剔除视点起绘制物体的最远距离</translation>
     </message>
     <message>
         <source>limit = distance × scene radius</source>
@@ -2547,11 +2547,11 @@
     </message>
     <message>
         <source>How far from the eye objects are drawn, in radii of the scene&apos;s sphere.</source>
-        <translation>从视点起绘制对象的最远距离，以场景球的半径为单位。</translation>
+        <translation>从视点起绘制物体的最远距离，以场景球的半径为单位。</translation>
     </message>
     <message>
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
-        <translation>略去完全位于离视点一定距离之外的对象。</translation>
+        <translation>略去完全位于离视点一定距离之外的物体。</translation>
     </message>
     <message>
         <source>triangles to the raster</source>
@@ -3523,7 +3523,7 @@
     </message>
     <message>
         <source>Sector %4, band up to α = %3°: the surface&apos;s slope is at least %1, and the horizon before it %2.</source>
-        <translation>扇区 %4，至 α = %3° 的带：表面斜率至少为 %1，其前的地平线为 %2。</translation>
+        <translation>扇区 %4，至 α = %3° 的环带：表面斜率至少为 %1，其前的地平线为 %2。</translation>
     </message>
     <message>
         <source>The cell&apos;s triangles reach the slope %1; the horizon before them is higher everywhere, at least %2: hidden.</source>
@@ -3563,15 +3563,15 @@
     </message>
     <message>
         <source>Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
-        <translation>扇区 %4，近半球中至 α = %3° 的带：S %1，之前的最大值 %2：绘制。</translation>
+        <translation>扇区 %4，近半球中至 α = %3° 的环带：S %1，之前的最大值 %2：绘制。</translation>
     </message>
     <message>
         <source>Sector %4, band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
-        <translation>扇区 %4，至 α = %3° 的带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
+        <translation>扇区 %4，至 α = %3° 的环带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
     </message>
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
-        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
+        <translation>扇区 %4，至 α = %3° 的环带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
     </message>
     <message>
         <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
@@ -3647,7 +3647,7 @@
     </message>
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
-        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
+        <translation>扇区 %4，至 α = %3° 的环带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
     </message>
     <message>
         <source>About rows of the picture</source>
@@ -4163,7 +4163,7 @@
     </message>
     <message>
         <source>Small-feature culling</source>
-        <translation>细节裁剪</translation>
+        <translation>细节剔除</translation>
     </message>
     <message>
         <source>Leaves out groups of components that are too small for their distance; a plant&apos;s outline stays.</source>
@@ -4239,7 +4239,7 @@
     </message>
     <message>
         <source>Bounded small-feature culling</source>
-        <translation>有界细节裁剪</translation>
+        <translation>有界细节剔除</translation>
     </message>
     <message>
         <source>Leaves out small components where the pixels that a group may lose by it stay under a bound.</source>
@@ -4283,7 +4283,7 @@
     </message>
     <message>
         <source>Small-feature culling by triangle</source>
-        <translation>按三角形的细节裁剪</translation>
+        <translation>按三角形的细节剔除</translation>
     </message>
     <message>
         <source>Leaves out every triangle that is too small for its distance: the traditional way.</source>
@@ -4355,11 +4355,11 @@
     </message>
     <message>
         <source>Small-feature culling of process plants, by method</source>
-        <translation>流程工厂的细节裁剪：按方法</translation>
+        <translation>流程工厂的细节剔除：按方法</translation>
     </message>
     <message>
         <source>Small-feature culling by the number of pipelines</source>
-        <translation>细节裁剪随管线数量的变化</translation>
+        <translation>细节剔除随管线数量的变化</translation>
     </message>
     <message>
         <source>Culling by visible leaves</source>
@@ -4387,7 +4387,7 @@
     </message>
     <message>
         <source>Loss of small-feature culling by its threshold</source>
-        <translation>细节裁剪的损失随阈值的变化</translation>
+        <translation>细节剔除的损失随阈值的变化</translation>
     </message>
     <message>
         <source>A threshold of so many pixels is the side of a square. It is k′·tan θ of small-feature and small-feature-triangle, with the paper&apos;s field of view of 30°; small-feature-bounded may lose as many pixels of a group as the square has.</source>
@@ -4707,7 +4707,7 @@
     </message>
     <message>
         <source>Triangles whose sides change by more than a tenth, because their object is too large beside them for floats: %1. Remove what lies far away, or make it an object of its own.</source>
-        <translation>因对象相对于三角形过大，取整为 float 后边的变化超过十分之一的三角形：%1。请移除远处的部分，或将其作为单独的对象。</translation>
+        <translation>因物体相对于三角形过大，取整为 float 后边的变化超过十分之一的三角形：%1。请移除远处的部分，或将其作为单独的物体。</translation>
     </message>
     <message>
         <source>OpenGL cannot be started, for want of memory. Close other programs, or allow this one more (ulimit -v).</source>
@@ -4907,11 +4907,11 @@
     </message>
     <message>
         <source>Section 2.3 sends objects that no corner ray meets to the contour bands; Appendix 1 only those whose bounding sphere lies inside the frustum. What becomes of one to three rays that miss, how hits are joined, and whether a band that is hidden ends its sector, the paper does not say.</source>
-        <translation>第 2.3 节把没有角光线击中的对象交给等高带；附录 1 只交出包围球在视锥内的对象。有一到三条光线未击中时如何处理、击中点如何连接、被遮挡的带是否终止其扇区，论文未说明。</translation>
+        <translation>第 2.3 节把没有角光线击中的物体交给等高环带；附录 1 只交出包围球在视锥内的物体。有一到三条光线未击中时如何处理、击中点如何连接、被遮挡的带是否终止其扇区，论文未说明。</translation>
     </message>
     <message>
         <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.</source>
-        <translation>除第一行外，每行与 spherical 只差一种解读。视图为表 2 的三种情况、距离 1.6 至 2.7 倍半径且 45 度的 36 个视图，以及看到整个对象的 12 个视图。</translation>
+        <translation>除第一行外，每行与 spherical 只差一种解读。视图为表 2 的三种情况、距离 1.6 至 2.7 倍半径且 45 度的 36 个视图，以及看到整个物体的 12 个视图。</translation>
     </message>
     <message>
         <source>Where the spherical method works</source>
@@ -4919,7 +4919,7 @@
     </message>
     <message>
         <source>Eight directions spread evenly; the distance of the eye is in radii of the bounding sphere, the field of view is vertical, the picture 640 × 480. Of four corner rays that hit, the region between them is drawn; of none, contour bands decide.</source>
-        <translation>八个均匀分布的方向；眼睛的距离以包围球半径为单位，视场角为垂直方向，图像为 640 × 480。四条角光线都击中时绘制其间的区域；都未击中时由等高带决定。</translation>
+        <translation>八个均匀分布的方向；眼睛的距离以包围球半径为单位，视场角为垂直方向，图像为 640 × 480。四条角光线都击中时绘制其间的区域；都未击中时由等高环带决定。</translation>
     </message>
     <message>
         <source>distance, radii</source>
@@ -4991,15 +4991,15 @@
     </message>
     <message>
         <source>Which objects contour bands decide about.</source>
-        <translation>由等高带决定的对象。</translation>
+        <translation>由等高环带决定的物体。</translation>
     </message>
     <message>
         <source>those in the frustum that no corner ray meets (section 2.3)</source>
-        <translation>在视锥内且没有角光线击中的对象（第 2.3 节）</translation>
+        <translation>在视锥内且没有角光线击中的物体（第 2.3 节）</translation>
     </message>
     <message>
         <source>those whose sphere lies inside the frustum (Appendix 1)</source>
-        <translation>包围球在视锥内的对象（附录 1）</translation>
+        <translation>包围球在视锥内的物体（附录 1）</translation>
     </message>
     <message>
         <source>What becomes of a corner ray that meets no triangle.</source>
@@ -5015,7 +5015,7 @@
     </message>
     <message>
         <source>contour bands decide about the object</source>
-        <translation>由等高带决定该对象</translation>
+        <translation>由等高环带决定该物体</translation>
     </message>
     <message>
         <source>Where corner rays begin, and where a missed one takes its point.</source>
@@ -5059,11 +5059,11 @@
     </message>
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden. The sector&apos;s band up to α = %5° was hidden before and ended it.</source>
-        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。该扇区至 α = %5° 的带此前已被遮挡并终止了扇区。</translation>
+        <translation>扇区 %4，至 α = %3° 的环带：S %1 ≤ 之前的最大值 %2：被遮挡。该扇区至 α = %5° 的环带此前已被遮挡并终止了扇区。</translation>
     </message>
     <message>
         <source>Sector %4, band up to α = %3°: its S %1 exceeds %2, the largest before it, but the sector&apos;s band up to α = %5° was hidden and ended it: nothing behind that one is drawn.</source>
-        <translation>扇区 %4，至 α = %3° 的带：其 S %1 大于之前的最大值 %2，但该扇区至 α = %5° 的带已被遮挡并终止了扇区：其后一概不绘制。</translation>
+        <translation>扇区 %4，至 α = %3° 的环带：其 S %1 大于之前的最大值 %2，但该扇区至 α = %5° 的环带已被遮挡并终止了扇区：其后一概不绘制。</translation>
     </message>
     <message>
         <source>Corner ray %1 enters the bounding box at R = %2.</source>
@@ -5079,7 +5079,7 @@
     </message>
     <message>
         <source>Of the four corner rays %1 meet the object, which is not outside the frustum: contour bands decide about it.</source>
-        <translation>四条角光线中有 %1 条击中对象，且对象不在视锥之外：由等高带决定。</translation>
+        <translation>四条角光线中有 %1 条击中物体，且物体不在视锥之外：由等高环带决定。</translation>
     </message>
     <message>
         <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
@@ -5107,7 +5107,7 @@
     </message>
     <message>
         <source>the same as printed, with radius or extent length: loses objects</source>
-        <translation>同上但照原文，用半径或延伸向量长度：会丢失对象</translation>
+        <translation>同上但照原文，用半径或延伸向量长度：会丢失物体</translation>
     </message>
     <message>
         <source>1 ÷ (1 − culled), mean of the views</source>
@@ -5191,7 +5191,7 @@
     </message>
     <message>
         <source>whole objects of which anything is visible</source>
-        <translation>有任何部分可见的整个对象</translation>
+        <translation>有任何部分可见的整个物体</translation>
     </message>
     <message>
         <source>know what is visible (not timed)</source>
@@ -5375,7 +5375,7 @@
     </message>
     <message>
         <source>Contour bands from the nearest point, S by sector</source>
-        <translation>从最近点起的等高线环带，各扇区的 S</translation>
+        <translation>从最近点起的等高环带，各扇区的 S</translation>
     </message>
     <message>
         <source>Near half, and what no larger S hides</source>
@@ -5395,19 +5395,19 @@
     </message>
     <message>
         <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view</source>
-        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带</translation>
+        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高环带</translation>
     </message>
     <message>
         <source>S of the contour bands</source>
-        <translation>等高线环带的 S</translation>
+        <translation>等高环带的 S</translation>
     </message>
     <message>
         <source>S of the contour ba&amp;nds</source>
-        <translation>等高线环带的 S(&amp;N)</translation>
+        <translation>等高环带的 S(&amp;N)</translation>
     </message>
     <message>
         <source>Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured at, dashed where the band is hidden</source>
-        <translation>在活动视图中显示一个扇区内各等高线环带的 S：从轴到测得它的表面的线，环带被遮挡处为虚线</translation>
+        <translation>在活动视图中显示一个扇区内各等高环带的 S：从轴到测得它的表面的线，环带被遮挡处为虚线</translation>
     </message>
     <message>
         <source>write x, y, z or view, and a share, as in &quot;x:0.5&quot;.</source>
@@ -5783,7 +5783,7 @@
     </message>
     <message>
         <source>the same objects, the same picture away from edges, and nothing lost</source>
-        <translation>对象相同，边缘以外画面相同，且无丢失</translation>
+        <translation>物体相同，边缘以外画面相同，且无丢失</translation>
     </message>
     <message>
         <source>A box around the eye, and one that reaches beyond the far plane</source>
@@ -5819,7 +5819,7 @@
     </message>
     <message>
         <source>An object&apos;s box around the eye and the far plane, and an eye just outside of it</source>
-        <translation>包围眼睛和远平面的对象盒，以及恰在其外的眼睛</translation>
+        <translation>包围眼睛和远平面的物体盒，以及恰在其外的眼睛</translation>
     </message>
     <message>
         <source>Three bars that overlap each other in a cycle</source>
@@ -5839,7 +5839,7 @@
     </message>
     <message>
         <source>40,000 abutting parts just below the threshold of small features</source>
-        <translation>40,000 个相接、略低于小特征阈值的部件</translation>
+        <translation>40,000 个相接、略低于细节阈值的部件</translation>
     </message>
     <message>
         <source>as published a hole opens; with a bound it does not</source>
@@ -5879,7 +5879,7 @@
     </message>
     <message>
         <source>An empty object and triangles without area beside a square</source>
-        <translation>正方形旁的空对象和无面积三角形</translation>
+        <translation>正方形旁的空物体和无面积三角形</translation>
     </message>
     <message>
         <source>There is no case &quot;%1&quot;. Known: their numbers, or %2.</source>
@@ -5967,11 +5967,11 @@
     </message>
     <message>
         <source>the objects of the scene at the origin</source>
-        <translation>位于原点的场景的对象</translation>
+        <translation>位于原点的场景的物体</translation>
     </message>
     <message>
         <source>%1 views with other objects</source>
-        <translation>%1 个视点的对象不同</translation>
+        <translation>%1 个视点的物体不同</translation>
     </message>
     <message>
         <source>400 hits</source>
@@ -6015,11 +6015,11 @@
     </message>
     <message>
         <source>No culling: nothing is left out, and %1 objects in view are drawn in vain.</source>
-        <translation>无剔除：没有略去任何对象，视野内有 %1 个对象被白白绘制。</translation>
+        <translation>无剔除：没有略去任何物体，视野内有 %1 个物体被徒劳绘制。</translation>
     </message>
     <message>
         <source>View-frustum culling: all %1 objects that are left out lie outside the view, nothing that is seen is missing, and %2 objects in view are drawn though they are hidden.</source>
-        <translation>视锥剔除：略去的 %1 个对象都在视野外，可见的没有缺失，视野内有 %2 个对象虽被遮挡仍被绘制。</translation>
+        <translation>视锥剔除：略去的 %1 个物体都在视野外，可见的没有缺失，视野内有 %2 个物体虽被遮挡仍被绘制。</translation>
     </message>
     <message>
         <source>Occlusion culling: what is left out in view is not seen, and nothing that is seen is missing.</source>
@@ -6027,7 +6027,7 @@
     </message>
     <message>
         <source>Something that is seen is missing: %1 times a visible object is not drawn whole.</source>
-        <translation>可见的内容有缺失：有 %1 次可见对象未被完整绘制。</translation>
+        <translation>可见的内容有缺失：有 %1 次可见物体未被完整绘制。</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
@@ -6055,7 +6055,7 @@
     </message>
     <message>
         <source>%1: pose %2: %3 names nothing in this scene of %4 triangles in %5 objects. Numbers count from 0.</source>
-        <translation>%1：姿态 %2：在这个有 %4 个三角形、%5 个对象的场景中，%3 不指任何内容。编号从 0 起。</translation>
+        <translation>%1：姿态 %2：在这个有 %4 个三角形、%5 个物体的场景中，%3 不指任何内容。编号从 0 起。</translation>
     </message>
     <message>
         <source>%1 is not JSON: it breaks off at byte %2. Drawn sets have a list &quot;poses&quot;.</source>
@@ -6151,7 +6151,7 @@
     </message>
     <message>
         <source>an object whose box holds the eye and the far plane</source>
-        <translation>其盒包含眼睛和远平面的对象</translation>
+        <translation>其盒包含眼睛和远平面的物体</translation>
     </message>
     <message>
         <source>three bars that overlap each other in a cycle</source>
@@ -6163,7 +6163,7 @@
     </message>
     <message>
         <source>200 by 200 abutting parts just below the threshold of small features</source>
-        <translation>200 乘 200 个相接、略低于小特征阈值的部件</translation>
+        <translation>200 乘 200 个相接、略低于细节阈值的部件</translation>
     </message>
     <message>
         <source>a mirrored body and a flattened one</source>
@@ -6195,7 +6195,7 @@
     </message>
     <message>
         <source>an empty object and triangles without area beside a square</source>
-        <translation>正方形旁的空对象和无面积三角形</translation>
+        <translation>正方形旁的空物体和无面积三角形</translation>
     </message>
     <message>
         <source>%1 has no cameras beside its sets, by which a view would find its own: give every pose eye, target and up.</source>
@@ -6775,7 +6775,7 @@
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box, then by its clusters; it has %2 triangles.</source>
-        <translation>对象“%1”先作为一个盒、再按其簇检测；它有 %2 个三角形。</translation>
+        <translation>物体“%1”先作为一个盒、再按其簇检测；它有 %2 个三角形。</translation>
     </message>
     <message>
         <source>Boxes of clusters</source>
@@ -6799,7 +6799,7 @@
     </message>
     <message>
         <source>each object left: walk(clusters)</source>
-        <translation>余下的每个对象：遍历(簇)</translation>
+        <translation>余下的每个物体：遍历(簇)</translation>
     </message>
     <message>
         <source>box hidden: leave it out</source>
@@ -6815,7 +6815,7 @@
     </message>
     <message>
         <source>How it is found that clusters are hidden: large triangles of near objects are drawn on the processor.</source>
-        <translation>如何得知簇被遮挡：在处理器上绘制近处对象的大三角形。</translation>
+        <translation>如何得知簇被遮挡：在处理器上绘制近处物体的大三角形。</translation>
     </message>
     <message>
         <source>it is not</source>
@@ -6835,7 +6835,7 @@
     </message>
     <message>
         <source>How many triangles a cluster has at most. An object of no more is one cluster.</source>
-        <translation>一个簇最多有多少三角形。不超过此数的对象为一个簇。</translation>
+        <translation>一个簇最多有多少三角形。不超过此数的物体为一个簇。</translation>
     </message>
     <message>
         <source>Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, and a little from behind.</source>
@@ -8451,7 +8451,7 @@ OpenGL %2
     </message>
     <message>
         <source>in an open question: name all within the rectangle</source>
-        <translation>有未答的问题时：指出矩形内的全部对象</translation>
+        <translation>有未答的问题时：指出矩形内的全部物体</translation>
     </message>
     <message>
         <source>turn about what is under the pointer, or the centre of rotation</source>
@@ -9336,12 +9336,12 @@ OpenGL %2
     </message>
     <message>
         <source>Boxes by the plane that rejected them, in objects:</source>
-        <translation>按剔除平面着色的盒（对象数）：</translation>
+        <translation>按剔除平面着色的盒（物体数）：</translation>
     </message>
     <message>
         <source>%1: %2 objects</source>
         <comment>what became of a box</comment>
-        <translation>%1：%2 个对象</translation>
+        <translation>%1：%2 个物体</translation>
     </message>
 </context>
 <context>
@@ -9372,7 +9372,7 @@ OpenGL %2
     </message>
     <message>
         <source>The strategy did not test this plane for this object; it is worked out here.</source>
-        <translation>策略没有对该对象测试这个平面；数值在此计算得出。</translation>
+        <translation>策略没有对该物体测试这个平面；数值在此计算得出。</translation>
     </message>
 </context>
 <context>
@@ -9514,7 +9514,7 @@ OpenGL %2
     <name>cullscope::ui::QuestionBar</name>
     <message>
         <source>Click what you expect; a second click takes it back. Named: %1</source>
-        <translation>点击您预期的对象；再次点击可取消。已指出：%1</translation>
+        <translation>点击您预期的物体；再次点击可取消。已指出：%1</translation>
     </message>
     <message>
         <source>In which order is it drawn?</source>
@@ -9550,7 +9550,7 @@ OpenGL %2
     </message>
     <message>
         <source>Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1</source>
-        <translation>在视图或树中点击您预期的对象，或按住 Ctrl 拖动框选；再做一次可取消。已指出：%1</translation>
+        <translation>在视图或树中点击您预期的物体，或按住 Ctrl 拖动框选；再做一次可取消。已指出：%1</translation>
     </message>
     <message>
         <source>Click a part, then choose the leaf in which it lies, here or in the tree. Named: %1</source>
@@ -9570,7 +9570,7 @@ OpenGL %2
     </message>
     <message>
         <source>Nothing was predicted yet: first click what you expect.</source>
-        <translation>尚未作出预测：请先点击您预期的对象。</translation>
+        <translation>尚未作出预测：请先点击您预期的物体。</translation>
     </message>
 </context>
 <context>
@@ -10435,7 +10435,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>by subject</source>
-        <translation>按对象</translation>
+        <translation>按物体</translation>
     </message>
     <message>
         <source>by object</source>
@@ -10577,12 +10577,12 @@ sides [95 %]</source>
     <message>
         <source>1 object</source>
         <comment>a group of one</comment>
-        <translation>1 个对象</translation>
+        <translation>1 个物体</translation>
     </message>
     <message>
         <source>%1 objects</source>
         <comment>a group of so many</comment>
-        <translation>%1 个对象</translation>
+        <translation>%1 个物体</translation>
     </message>
     <message>
         <source>%1: %2 triangles</source>
@@ -10724,7 +10724,7 @@ sides [95 %]</source>
     <name>cullscope::ui::UndoStep</name>
     <message>
         <source>hidden objects</source>
-        <translation>隐藏的对象</translation>
+        <translation>隐藏的物体</translation>
     </message>
     <message>
         <source>camera</source>
@@ -10994,7 +10994,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>In grey: not tested by the strategy for this object alone; worked out here from its own box.</source>
-        <translation>灰色：策略没有单独对该对象测试；在此由其自身的盒计算得出。</translation>
+        <translation>灰色：策略没有单独对该物体测试；在此由其自身的盒计算得出。</translation>
     </message>
     <message>
         <source>drawn, or decided to be drawn</source>

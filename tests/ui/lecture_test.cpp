@@ -51,7 +51,14 @@ TEST_F(Lecture, aViewAndItsObserverStandBesideMapAndListing) {
     EXPECT_TRUE(lecture.structure().map().isVisible());
     lecture.structure().showPage("listing");
     EXPECT_TRUE(lecture.structure().listing().isVisible());
+    // The map has no legend of its own there.
+    const auto lines = [&] { return lecture.structure().map().map().lines(); };
+    ASSERT_TRUE(waitUntil([&] { return !lines().empty(); }));
+    for (const MapLegend::Entry& line : lines())
+        EXPECT_TRUE(waitUntil([&] { return lecture.legend().words().contains(line.words); })) << line.words.toStdString();
+    const QString former = lines().front().words;
     session.slot(0).choose("bsp");
+    EXPECT_TRUE(waitUntil([&] { return !lecture.legend().words().contains(former); }));
     EXPECT_FALSE(lecture.structure().map().isVisible()) << "a strategy without a map leaves no empty place";
     EXPECT_TRUE(lecture.legend().words().contains(QStringLiteral("drawn and visible")));
     session.setViewCount(4);
@@ -60,6 +67,28 @@ TEST_F(Lecture, aViewAndItsObserverStandBesideMapAndListing) {
     lecture.close();
     ASSERT_TRUE(waitUntil([&] { return !window.lecture(); }));
     for (const int view : {0, 1, 2, 3}) EXPECT_EQ(picture(view).window(), &window) << view;
+}
+
+TEST_F(Lecture, signsOverPicturesGrowWithTheScreen) {
+    watch("spherical");
+    LectureWindow& lecture = begin();
+    EXPECT_DOUBLE_EQ(picture(0).extras().unit, 1.0);
+    const auto redOf = [&] {
+        const QImage shown = picture(0).grab().toImage();
+        int red = 0;  // pixels of the x axis' ball
+        for (int y = shown.height() / 2; y < shown.height(); ++y)
+            for (int x = 0; x < shown.width() / 2; ++x) red += shown.pixelColor(x, y) == QColor(178, 62, 62) ? 1 : 0;
+        return red;
+    };
+    const int small = redOf();
+    EXPECT_GT(small, 0);
+    lecture.resize(1920, 1080);
+    QApplication::processEvents();
+    EXPECT_DOUBLE_EQ(picture(0).extras().unit, 1.5);
+    EXPECT_GT(redOf(), small * 3 / 2);
+    lecture.close();
+    ASSERT_TRUE(waitUntil([&] { return !window.lecture(); }));
+    EXPECT_DOUBLE_EQ(picture(0).extras().unit, 1.0);
 }
 
 TEST_F(Lecture, keysOfTheWindowWorkInIt) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
 
@@ -16,7 +18,7 @@ inline Session::Options withoutMeasuring() {
 
 /// A window in which lessons are shown, and what it says.
 struct Lessons : ::testing::Test {
-    Lessons() {
+    explicit Lessons(const Session::Options& options = withoutMeasuring()) : session(options) {
         QObject::connect(&session, &Session::messageRaised, [this](Severity severity, const Message& message) {
             if (severity != Severity::Information) said.push_back(message.english());
         });
@@ -30,13 +32,18 @@ struct Lessons : ::testing::Test {
     LessonPlayer& player() { return window.lessons().player(); }
     SceneView& picture(int view) { return window.views().pane(view).picture(); }
 
+    /// Whether all panels, also those of a lecture and below views, show what the present frames decided.
+    [[nodiscard]] bool panelsAreRead() {
+        return std::ranges::all_of(window.findChildren<SnapshotReader*>(),
+                                   [](const SnapshotReader* reader) { return reader->fresh() || !reader->wanted(); });
+    }
     [[nodiscard]] bool onScreen() {
         if (player().opening() || session.loader().loading() || !session.buffers()) return false;
         for (const int view : session.shownViews())
             if (session.slot(session.culledBy(view)).building() || !session.viewRequest(view) ||
                 !session.pictures()->isCurrent(view))
                 return false;
-        return !player().current().state.place || session.step();
+        return (!player().current().state.place || session.step()) && panelsAreRead();
     }
     void go(int step) {
         player().go(step);
@@ -50,7 +57,7 @@ struct Lessons : ::testing::Test {
         go(0);
     }
 
-    Session session{withoutMeasuring()};
+    Session session;
     Language language;
     Appearance appearance;
     MainWindow window{session, language, appearance};

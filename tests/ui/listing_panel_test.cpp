@@ -190,6 +190,37 @@ TEST_F(ListingPanelTest, noLineAndNoNameIsCutInANarrowDock) {
     }
 }
 
+TEST_F(ListingPanelTest, theCurrentLineIsInSightAndNoLineIsHalf) {
+    session.slot(1).choose("frustum");
+    settle();
+    panel.tabs().setCurrentWidget(&panel.listing());
+    ListingView& view = panel.listing().view();
+    const int current = panel.listing().model().currentRow();
+    ASSERT_GE(current, 5) << "else a low view begins with it";
+    const int line = view.rowHeight(current);
+    // Room for some lines and a half.
+    for (const int lines : {2, 4, 3}) {
+        const int others = panel.height() - view.viewport()->height();
+        panel.setMinimumSize(1, 1);
+        panel.tabs().setMinimumSize(1, 1);
+        panel.resize(panel.width(), others + lines * line + line / 2);
+        QApplication::processEvents();
+        QApplication::processEvents();
+        const QRect place = view.visualRect(panel.listing().model().index(current, ListingModel::Text));
+        EXPECT_TRUE(place.top() >= 0 && place.bottom() < view.viewport()->height())
+            << lines << " lines: at " << place.top() << " of " << view.viewport()->height();
+        const QImage shown = view.viewport()->grab().toImage();
+        int end = 0;
+        for (int row = 0; row < view.model()->rowCount(); ++row)
+            if (const int below = view.rowViewportPosition(row) + view.rowHeight(row); below <= shown.height())
+                end = std::max(end, below);
+        for (int y = end; y < shown.height(); ++y)
+            for (int x = 0; x < shown.width(); ++x)
+                ASSERT_EQ(shown.pixel(x, y), shown.pixel(0, shown.height() - 1))
+                    << lines << " lines: something at " << x << ", " << y;
+    }
+}
+
 TEST_F(ListingPanelTest, countsAreSavedAsAPicture) {
     ASSERT_FALSE(panel.bars().plot().empty());
     const QByteArray svg = plotSvg(panel.bars().plot(), {720, 320});

@@ -50,6 +50,66 @@ TEST(MapMarks, labelsOfCirclesDoNotOverlapAndTheRightAngleHasOne) {
     }
 }
 
+TEST(MapMarks, numbersAndNamesOfTheAxesDoNotOverlap) {
+    QFont font;
+    for (const int letters : {13, 20, 30}) {
+        font.setPixelSize(letters);
+        const QFontMetricsF metrics(font);
+        bool named = false, unnamed = false;
+        for (int height = 40; height < 700; height += 7) {
+            const MapLayout layout({0, 0, 2.0 * height, double(height)}, metrics);
+            const std::vector<MapLayout::AxisLabel> labels = layout.axisLabels(metrics);
+            const bool names = std::ranges::any_of(labels, [](const auto& label) { return label.words == QStringLiteral("φ"); });
+            (names ? named : unnamed) = true;
+            for (size_t i = 0; i < labels.size(); ++i)
+                for (size_t j = 0; j < i; ++j) {
+                    const bool sameAxis =
+                        (labels[i].place.top() >= layout.area.bottom()) == (labels[j].place.top() >= layout.area.bottom());
+                    EXPECT_FALSE(sameAxis && labels[i].place.adjusted(-2, 0, 2, 0).intersects(labels[j].place))
+                        << labels[i].words.toStdString() << " and " << labels[j].words.toStdString() << ", " << letters
+                        << " pixels, map of " << height;
+                }
+        }
+        EXPECT_TRUE(named && unnamed) << "else nothing was tried";
+    }
+}
+
+TEST(MapMarks, noLineCrossesTheLabelOfACircle) {
+    const ScenePointer scene = openScene("sphere:triangles=80").scene;
+    const ShownMap shown = MadeUpMap(scene, SphericalGrid(16, 8)).shown();
+    auto map = std::make_shared<CellMap>(*shown.map);
+    MapCircles circles;
+    circles.width = std::numbers::pi / 36;
+    circles.bands = 36;
+    circles.axis = {0.0, 0.0, 1.0};
+    circles.side = {1.0, 0.0, 0.0};
+    map->circles = circles;
+    map->curves.clear();
+    const QRect place(0, 0, 600, 340);
+    const auto painted = [&] {
+        MapPainter painter;
+        painter.setContents({ShownMap{shown.scene, map}, nullptr, {}, {}});
+        painter.setBrief();
+        QImage image(place.size(), QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter on(&image);
+        painter.paint(on, place, QPalette());
+        const QFontMetricsF metrics(on.font());
+        QRect label = circleLabels(painter.layout(place, metrics), circles, metrics).front().place.toAlignedRect();
+        return image.copy(label.adjusted(2, 2, -2, -2)).convertToFormat(QImage::Format_Grayscale8);
+    };
+    const QImage without = painted();
+    // A line along the right angle, where the label stands, from one side of the map to the other.
+    map->curves.push_back({MapSymbol::Horizon, {{std::numbers::pi / 2, 0.0}, {std::numbers::pi / 2, 6.28}}, false});
+    const QImage with = painted();
+    // What shines through the label's ground is faint.
+    int most = 0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x)
+            most = std::max(most, std::abs(qGray(with.pixel(x, y)) - qGray(without.pixel(x, y))));
+    EXPECT_LT(most, 48);
+}
+
 TEST(MapMarks, captionOfGlyphsOfAnotherFontStandsOnTheSameLine) {
     const ScenePointer scene = openScene("sphere:triangles=80").scene;
     const ShownMap shown = MadeUpMap(scene, SphericalGrid(16, 8)).shown();

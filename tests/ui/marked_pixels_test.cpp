@@ -1,10 +1,27 @@
 // What the chip says of marked pixels agrees with the count of missed ones.
 #include "core/scene/camera_moves.h"
 #include "tests/ui/shown_window.h"
+#include "ui/look/verdict_swatch.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui::marked_pixels_test {
 namespace {
+
+TEST(MarkedPixels, haveColoursThatMeanNothingElse) {
+    for (const bool dark : {false, true}) {
+        const QPalette palette = Appearance::palette(dark);
+        std::vector<QColor> known{snappedPixelColour(), addedPixelColour()};
+        for (size_t state = 0; state < kTriangleStateCount; ++state)
+            known.push_back(verdictColour(TriangleState(state), palette));
+        for (size_t i = 0; i < 2; ++i)
+            for (size_t j = i + 1; j < known.size(); ++j) {
+                const QColor &a = known[i], &b = known[j];
+                const int apart = std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+                EXPECT_GT(apart, 60) << (dark ? "dark: " : "light: ") << a.name().toStdString() << " and "
+                                     << b.name().toStdString();
+            }
+    }
+}
 
 TEST_F(Window, whatSnappingExplainsIsNoMissedPixelInTheChipOfMarkedOnes) {
     openAndWait(session, QStringLiteral("knot:triangles=20000"));

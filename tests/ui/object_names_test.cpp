@@ -45,6 +45,26 @@ TEST_F(ObjectNames, theQuizHasThemAlwaysAndIsAskedAboutItsOrder) {
     EXPECT_EQ(names(), "A B C");
 }
 
+TEST_F(ObjectNames, eachStandsWhereItsOwnPolygonIsSeen) {
+    openScene(QStringLiteral("quiz"));
+    const Scene& scene = *session.scene();
+    const SceneView& view = picture(0);
+    for (const PlacedName& name : view.extras().names) {
+        const PictureLayout layout = view.pictureLayout();
+        const Viewport size = session.picture(0)->request.size;
+        const std::optional<Vec3> surface = view.surfaceAt(layout.positionOf({name.place.x(), size.height - name.place.y()}));
+        ASSERT_TRUE(surface) << name.text.toStdString() << " stands beside everything";
+        for (size_t i = 0; i < scene.instances().size(); ++i) {
+            const Box3 box = scene.instanceBox(i);
+            const Vec3 margin(0.05);
+            const Vec3 below = glm::max(box.min - margin - *surface, Vec3(0.0)),
+                       over = glm::max(*surface - box.max - margin, Vec3(0.0));
+            EXPECT_EQ(below + over == Vec3(0.0), scene.instances()[i].name == name.text.toStdString())
+                << name.text.toStdString() << " and " << scene.instances()[i].name;
+        }
+    }
+}
+
 TEST_F(ObjectNames, otherScenesHaveThemInAQuestionAlone) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("two.obj"));

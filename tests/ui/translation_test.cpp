@@ -1,17 +1,23 @@
 // The catalogues are complete: they translate exactly the texts that lupdate finds in the present sources.
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QFile>
+#include <QFontDatabase>
+#include <QGlyphRun>
 #include <QProcess>
+#include <QRawFont>
 #include <QRegularExpression>
 #include <QSet>
 #include <QTemporaryDir>
+#include <QTextLayout>
 #include <QTranslator>
 #include <QXmlStreamReader>
 #include <cerrno>
 
 #include "core/base/error.h"
 #include "ui/text/language.h"
+#include "ui/text/letters.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui::translation_test {
@@ -122,6 +128,36 @@ public:
     }
     bool isEmpty() const override { return false; }
 };
+
+/// The families whose glyphs write a character in a font.
+QStringList familiesOf(const QString& character, const QFont& font) {
+    QTextLayout layout(character, font);
+    layout.beginLayout();
+    layout.createLine();
+    layout.endLayout();
+    QStringList families;
+    for (const QGlyphRun& run : layout.glyphRuns()) families << run.rawFont().familyName();
+    return families;
+}
+
+TEST(Translation, chineseTextHasTheCharactersOfChinaAndLatinLettersStay) {
+    const QString family = QStringLiteral("Noto Sans CJK SC");
+    if (!QFontDatabase::families().contains(family)) GTEST_SKIP() << "The package fonts-noto-cjk is not installed.";
+    const QString latin = familiesOf(QStringLiteral("a"), QApplication::font()).join(QString());
+    const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    {
+        Language language;
+        language.use(QStringLiteral("zh_CN"));
+        // In Japan this one has another stroke.
+        EXPECT_EQ(familiesOf(QStringLiteral("直"), QApplication::font()), QStringList(family));
+        EXPECT_TRUE(familiesOf(QStringLiteral("直"), lettersOf(QLocale(), fixed)).first().endsWith(QLatin1String(" SC")));
+        EXPECT_EQ(familiesOf(QStringLiteral("a"), QApplication::font()), QStringList(latin));
+        QFont large;
+        large.setPixelSize(20);
+        EXPECT_EQ(familiesOf(QStringLiteral("直"), large), QStringList(family));
+    }
+    EXPECT_EQ(QApplication::font().families().contains(family), false) << "the next language has its own letters";
+}
 
 TEST(Translation, reasonInAnArgumentIsTranslatedAndANameIsNot) {
     const Bracketing catalogue;

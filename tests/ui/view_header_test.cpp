@@ -73,6 +73,19 @@ TEST_F(HeaderOfView, theNameStandsWhereItHasRoomAndTheIdAloneElsewhere) {
     EXPECT_EQ(header.shownFirstLine(), QStringLiteral("B All triangles lossless all"));
 }
 
+TEST_F(HeaderOfView, theLargeLettersOfALectureSayTheNameAndNotTheId) {
+    header.setLetters(20);
+    for (const Role role : {Role::Linked, Role::Observer, Role::Frozen}) {
+        watch(role, "backface");
+        header.resize(role == Role::Linked ? 300 : 430, header.height());
+        header.grab();
+        const QString shown = header.shownFirstLine();
+        EXPECT_TRUE(shown.contains(QStringLiteral("Back-face culling"))) << shown.toStdString();
+        EXPECT_FALSE(shown.contains(QStringLiteral("backface"))) << shown.toStdString();
+        EXPECT_FALSE(header.elided()) << shown.toStdString();
+    }
+}
+
 TEST_F(HeaderOfView, whatHasNoRoomAtAllIsKnownToBeCut) {
     watch(Role::Observer, "backface");
     header.resize(80, header.height());

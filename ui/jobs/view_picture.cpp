@@ -16,7 +16,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kMarkReach = 2;  // marks of 5 × 5 pixels, so that one pixel in 300,000 can be seen
-constexpr QRgb kAddedColour = 0xff3168f5, kSnappedColour = 0xffb07a00;
+constexpr QRgb kAddedColour = 0xff1b6b2a, kSnappedColour = 0xffb07a00;
 
 QRgb missedColour(const DrawStyle& style) {
     const Vec3f colour = verdictPalette(style.background)[size_t(TriangleState::WronglyCulled)].colour;

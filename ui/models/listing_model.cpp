@@ -2,6 +2,7 @@
 
 #include <QFontDatabase>
 
+#include "ui/text/letters.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -27,6 +28,8 @@ void ListingModel::setState(const std::optional<ListingState>& frame, const std:
     m_marked = marked;
     tellOfRows();
 }
+
+int ListingModel::currentRow() const { return m_marked ? int(m_marked->current) - 1 : -1; }
 
 int ListingModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_lines.size()); }
 
@@ -68,7 +71,7 @@ QVariant ListingModel::data(const QModelIndex& index, int role) const {
             return int(index.column() == Text ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignRight | Qt::AlignVCenter);
         case Qt::FontRole: {
             if (index.column() != Text) return {};
-            QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+            QFont font = lettersOf(QLocale(), QFontDatabase::systemFont(QFontDatabase::FixedFont));
             font.setBold(current(row));
             return font;
         }

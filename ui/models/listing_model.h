@@ -21,6 +21,9 @@ public:
     /// `frame`: the counts; none: they are not known. `marked`: whose lines are marked, the current one as such.
     void setState(const std::optional<ListingState>& frame, const std::optional<ListingState>& marked);
 
+    /// The row of the current line; -1: there is none.
+    [[nodiscard]] int currentRow() const;
+
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;

@@ -61,6 +61,14 @@ void CurvePanel::refresh() {
     });
 }
 
+std::vector<TriangleState> CurvePanel::states() const {
+    std::vector<TriangleState> states;
+    if (m_plot->empty()) return states;
+    for (const CurveArea& area : m_plot->curve()->areas)
+        if (!area.boxes.empty()) states.push_back(area.state);
+    return states;
+}
+
 int CurvePanel::neededHeight(int width) const {
     const int choices = m_choices->isHidden() ? 0 : m_choices->sizeHint().height();
     return choices + (m_plot->empty() ? m_plot->minimumHeight() : m_plot->neededHeight(width));

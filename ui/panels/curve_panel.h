@@ -28,6 +28,10 @@ public:
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
     /// The shown part, from 1; none: all together, or there are none. While a view is stepped, it is the part in hand.
     [[nodiscard]] std::optional<uint32_t> shownPart() const;
+    /// For an audience: the areas' colours are explained elsewhere.
+    void setBrief() { m_plot->setBrief(); }
+    /// The states whose colours the shown curve has.
+    [[nodiscard]] std::vector<TriangleState> states() const;
     /// The height in which all of it is shown, at that width.
     [[nodiscard]] int neededHeight(int width) const;
     void show(Curves curves);

@@ -2,7 +2,9 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QPaintEvent>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/panels/shown_strategy.h"
 #include "ui/text/translated.h"
@@ -10,13 +12,49 @@
 
 namespace cullscope::ui {
 
+ListingView::ListingView(ListingModel& model, QWidget* parent) : QTableView(parent), m_model(model) {
+    setModel(&model);
+    connect(&model, &ListingModel::dataChanged, this, &ListingView::showCurrent);
+}
+
+int ListingView::wholeHeight() const {
+    const int lines = verticalHeader()->length() + 2 * frameWidth();
+    return lines + (horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height());
+}
+
+void ListingView::showCurrent() {
+    if (m_model.currentRow() >= 0) scrollTo(m_model.index(m_model.currentRow(), ListingModel::Mark), PositionAtCenter);
+}
+
+int ListingView::endOfWholeLines() const {
+    int end = 0;
+    for (int row = 0; row < m_model.rowCount(); ++row) {
+        const int below = rowViewportPosition(row) + rowHeight(row);
+        if (below <= viewport()->height()) end = std::max(end, below);
+    }
+    return end;
+}
+
+void ListingView::paintEvent(QPaintEvent* event) {
+    QPaintEvent whole(event->region() & QRect(0, 0, viewport()->width(), endOfWholeLines()));
+    QTableView::paintEvent(&whole);
+}
+
+void ListingView::updateGeometries() {
+    QTableView::updateGeometries();
+    // Lines of another font are higher. Queued: to scroll may lay the lines out.
+    const QSize laidOut(verticalHeader()->length(), viewport()->height());
+    if (laidOut == std::exchange(m_laidOut, laidOut)) return;
+    QMetaObject::invokeMethod(this, &ListingView::showCurrent, Qt::QueuedConnection);
+}
+
 ListingPanel::ListingPanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_reader(reader),
       m_model(new ListingModel(this)),
       m_summary(new QLabel(this)),
-      m_view(new QTableView(this)) {
+      m_view(new ListingView(*m_model, this)) {
     m_summary->setWordWrap(true);
     m_summary->setTextFormat(Qt::PlainText);
     m_summary->setMargin(8);
@@ -35,7 +73,6 @@ ListingPanel::ListingPanel(Session& session, SnapshotReader& reader, QWidget* pa
 }
 
 void ListingPanel::setUpView() {
-    m_view->setModel(m_model);
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setShowGrid(false);
     m_view->setSelectionMode(QAbstractItemView::NoSelection);

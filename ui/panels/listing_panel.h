@@ -8,6 +8,30 @@
 
 namespace cullscope::ui {
 
+/// The lines of a listing. The current line stays in sight, and a line that does not fit at the lower end is not painted: half a
+/// line cannot be read.
+class ListingView : public QTableView {
+    Q_OBJECT
+
+public:
+    ListingView(ListingModel& model, QWidget* parent);
+
+    /// The height of all lines, with the header where it is shown.
+    [[nodiscard]] int wholeHeight() const;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void updateGeometries() override;
+
+private:
+    void showCurrent();
+    /// The lower end of the last line that fits, in the viewport.
+    [[nodiscard]] int endOfWholeLines() const;
+
+    ListingModel& m_model;
+    QSize m_laidOut;  ///< the heights of all lines and of the viewport when the current line was last brought into sight
+};
+
 /// The listing of the active view's strategy, with the number of decisions that fell at each line. Marked is the line of the
 /// frame's last decision; with a pick, the lines that decided about the picked triangle, the last of them as the current one.
 class ListingPanel : public QWidget {
@@ -17,7 +41,7 @@ public:
     ListingPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] ListingModel& model() { return *m_model; }
-    [[nodiscard]] QTableView& view() { return *m_view; }
+    [[nodiscard]] ListingView& view() { return *m_view; }
     /// The sentence above the lines.
     [[nodiscard]] QString summary() const;
 
@@ -34,7 +58,7 @@ private:
     SnapshotReader& m_reader;
     ListingModel* m_model;
     QLabel* m_summary;
-    QTableView* m_view;
+    ListingView* m_view;
     const Show* m_show = nullptr;
 };
 

@@ -84,6 +84,7 @@ void MapPanel::showMap(const ShownMap& shown) {
     // The Tab key cannot leave a panel whose focus proxy is hidden.
     setFocusProxy(shown.empty() ? nullptr : m_map);
     showSentence();
+    emit shownChanged();
 }
 
 void MapPanel::offerColourings(const CellMap& map) {

@@ -18,6 +18,7 @@ public:
     MapPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] MapWidget& map() { return *m_map; }
+    [[nodiscard]] const MapWidget& map() const { return *m_map; }
     [[nodiscard]] QComboBox& colouring() { return *m_colouring; }
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
     /// The text in place of the map; empty: the map is shown.
@@ -33,6 +34,10 @@ public:
     void setColouring(const std::string& id);
     /// Marks a part, from 1, on maps that have it; none: marks no part.
     void setPart(const std::optional<uint32_t>& part);
+
+signals:
+    /// Another map, or another part of it, is shown, and so other lines and colours.
+    void shownChanged();
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -105,13 +105,11 @@ void StructurePanel::showToAudience() {
         small.setPixelSize(1);
         lines->verticalHeader()->setFont(small);
         lines->setItemDelegate(new LargeLetters(lines));
-        connect(&m_reader, &SnapshotReader::changed, lines, [this, lines] {
-            const SnapshotReadingPointer& reading = m_reader.reading();
-            if (reading && reading->listing && reading->listing->current > 0)
-                lines->scrollTo(lines->model()->index(int(reading->listing->current) - 1, 0),
-                                QAbstractItemView::PositionAtCenter);
-        });
     }
+    // What a lecture has no room for is cut within a page, and does not push the tabs under the map.
+    m_tabs->setMinimumSize(1, 1);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_tabs, m_listing, &m_listing->view()}) part->installEventFilter(this);
+    for (CurvePanel* curve : m_curves) curve->setBrief();
     followStrategy();
 }
 
@@ -130,13 +128,24 @@ bool StructurePanel::event(QEvent* event) {
     return done;
 }
 
+bool StructurePanel::eventFilter(QObject* watched, QEvent* event) {
+    // Other words on the tabs or in the pages: they lay themselves out without asking the panel, whose least heights are given.
+    if (event->type() == QEvent::LayoutRequest) emit needsChanged();
+    return QWidget::eventFilter(watched, event);
+}
+
 int StructurePanel::leastBelowMap(int width) const {
     const auto curve = std::ranges::find_if(m_curves, [this](const CurvePanel* one) { return one == m_tabs->currentWidget(); });
-    const int needed =
-        curve != m_curves.end() ? (*curve)->neededHeight(width) : m_tabs->currentWidget()->minimumSizeHint().height();
+    const int needed = curve != m_curves.end()                ? (*curve)->neededHeight(width)
+                       : m_tabs->currentWidget() == m_listing ? m_listing->view().wholeHeight()
+                                                              : m_tabs->currentWidget()->minimumSizeHint().height();
     const int gaps = layout()->contentsMargins().top() + layout()->spacing();
-    // The tabs are at least as high as the highest page asks for, also behind the one in front.
-    return gaps + std::max(m_tabs->tabBar()->sizeHint().height() + needed, m_tabs->minimumSizeHint().height());
+    return gaps + m_tabs->tabBar()->sizeHint().height() + needed;
+}
+
+std::vector<TriangleState> StructurePanel::statesOfCurve() const {
+    const auto* curve = qobject_cast<const CurvePanel*>(m_tabs->currentWidget());
+    return curve ? curve->states() : std::vector<TriangleState>();
 }
 
 std::string StructurePanel::page() const { return m_tabs->currentWidget()->objectName().toStdString(); }
@@ -206,6 +215,7 @@ CurvePanel* StructurePanel::curveOf(const Show& show) {
     CurvePanel*& curve = m_madeCurves[show.id];
     if (curve) return curve;
     curve = new CurvePanel(m_session, m_reader, show, m_tabs);
+    if (m_audience) curve->setBrief();
     curve->setObjectName(QString::fromStdString(show.id));
     connect(curve, &CurvePanel::partChanged, this, &StructurePanel::markPart);
     return curve;

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] bool showsCurve() const;
     /// The least height below the map at that width: of the tabs with the page in front, and of the gaps between.
     [[nodiscard]] int leastBelowMap(int width) const;
+    /// The states whose colours the open curve has, which it shows to an audience without explaining them.
+    [[nodiscard]] std::vector<TriangleState> statesOfCurve() const;
     /// The id of the open tab, and opens the one with an id, where the strategy has it.
     [[nodiscard]] std::string page() const;
     void showPage(const std::string& id);
@@ -59,6 +61,7 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

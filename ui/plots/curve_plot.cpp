@@ -33,6 +33,11 @@ void CurvePlot::setCurve(std::optional<Curve> curve) {
     contentsChanged();
 }
 
+void CurvePlot::setBrief() {
+    m_brief = true;
+    contentsChanged();
+}
+
 void CurvePlot::setInHand(const std::optional<Vec2>& values) {
     if (values == m_inHand) return;
     m_inHand = values;
@@ -98,7 +103,8 @@ std::vector<LinePlot> CurvePlot::plots(const QPalette& palette) const {
     plot.x = plotAxis(m_curve->x);
     plot.y = plotAxis(m_curve->y);
     for (const CurveArea& area : m_curve->areas) {
-        PlotBars bars{translated(area.name).toStdString(), verdictColour(area.state, palette).rgba(), {}};
+        PlotBars bars{
+            m_brief ? std::string() : translated(area.name).toStdString(), verdictColour(area.state, palette).rgba(), {}};
         for (const CurveArea::Box& box : area.boxes) bars.boxes.push_back({box.left, box.top, box.right, 0.0});
         plot.bars.push_back(std::move(bars));
     }

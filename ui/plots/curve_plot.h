@@ -22,6 +22,8 @@ public:
     /// The sentence where there is no curve.
     void setAbsence(const QString& sentence);
 
+    /// Without its areas in the legend.
+    void setBrief();
     /// Marks the values between two values of x; none: marks nothing.
     void setInHand(const std::optional<Vec2>& values);
     [[nodiscard]] const std::optional<Vec2>& inHand() const { return m_inHand; }
@@ -47,6 +49,7 @@ private:
     std::optional<Curve> m_curve;
     std::optional<Vec2> m_inHand;
     QString m_name, m_absence;
+    bool m_brief = false;
 };
 
 }  // namespace cullscope::ui

@@ -37,6 +37,33 @@ QPointF MapLayout::placeOf(const Vec2& thetaPhi) const {
             area.top() + thetaPhi.x / std::numbers::pi * area.height()};
 }
 
+std::vector<MapLayout::AxisLabel> MapLayout::axisLabels(const QFontMetricsF& metrics) const {
+    constexpr double kGap = 5.0;
+    std::vector<AxisLabel> labels;
+    const auto below = [&](double x, const QString& words) {
+        const double wide = metrics.horizontalAdvance(words);
+        labels.push_back({words, {x - wide / 2, area.bottom() + kTick, wide, metrics.height()}});
+    };
+    const auto beside = [&](double y, const QString& words) {
+        const double wide = metrics.horizontalAdvance(words);
+        labels.push_back({words, {area.left() - kGap - wide, y - metrics.height() / 2, wide, metrics.height()}});
+    };
+    const auto degrees = [](int value) { return QStringLiteral("%1°").arg(value); };
+    // In large letters beside a small map there is room for the ends alone, or for the beginning.
+    const double widest = metrics.horizontalAdvance(degrees(360));
+    int across = 90, down = 90;
+    while (across < 720 && area.width() * across / 360.0 < 1.2 * widest) across *= 2;
+    while (down < 360 && area.height() * down / 180.0 < 1.1 * metrics.height()) down *= 2;
+    for (int phi = 0; phi <= 360; phi += across) below(area.left() + phi / 360.0 * area.width(), degrees(phi));
+    for (int theta = 0; theta <= 180; theta += down) beside(area.top() + theta / 180.0 * area.height(), degrees(theta));
+    // A name stands in the middle between two numbers, apart from both.
+    const QString phi = QStringLiteral("φ"), theta = QStringLiteral("θ");
+    if (across == 90 && area.width() / 4 >= widest + metrics.horizontalAdvance(phi) + 2 * kGap)
+        below(area.left() + 5 * area.width() / 8, phi);
+    if (down == 90 && area.height() / 2 >= 2 * metrics.height()) beside(area.top() + 3 * area.height() / 4, theta);
+    return labels;
+}
+
 std::optional<SphericalGrid::Cell> MapLayout::cellAt(const SphericalGrid& grid, const QPointF& position) const {
     const double across = (position.x() - area.left()) / area.width(), down = (position.y() - area.top()) / area.height();
     if (across < 0.0 || across >= 1.0 || down < 0.0 || down >= 1.0) return std::nullopt;

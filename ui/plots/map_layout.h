@@ -2,7 +2,9 @@
 
 #include <QFontMetricsF>
 #include <QRectF>
+#include <QString>
 #include <optional>
+#include <vector>
 
 #include "core/geometry/spherical_grid.h"
 
@@ -21,6 +23,14 @@ struct MapLayout {
     [[nodiscard]] std::optional<SphericalGrid::Cell> cellAt(const SphericalGrid& grid, const QPointF& position) const;
     [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
     [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const SphericalGrid::Box& box) const;
+
+    static constexpr double kTick = 3.0;  ///< length of an axis' ticks, in the painter's units
+    struct AxisLabel {
+        QString words;
+        QRectF place;
+    };
+    /// The numbers of both axes and, where there is room between them, the axes' names. None lies over another.
+    [[nodiscard]] std::vector<AxisLabel> axisLabels(const QFontMetricsF& metrics) const;
 
     QRectF area;  ///< rectangle of the map without axes, on whole pixels
 };

@@ -31,10 +31,11 @@ QRectF placeBeside(const QPointF& place, double direction, const QString& words,
         const QPointF away(std::cos(direction + turned), std::sin(direction + turned));
         return labelPlace(place + away * distance, words, bounds, metrics);
     };
-    for (const double distance : {kNumberDistance, 2 * kNumberDistance})
+    const double near = kNumberDistance * unitOfLetters(metrics);
+    for (const double distance : {near, 2 * near})
         for (const int turned : {0, 1, -1, 2, -2, 3, -3, 4})
             if (const QRectF found = at(turned * kEighth, distance); free(found)) return found;
-    return at(0.0, kNumberDistance);
+    return at(0.0, near);
 }
 
 QString circleWords(int degrees) { return QStringLiteral("%1°").arg(degrees); }
@@ -49,6 +50,7 @@ double distanceTo(const QRectF& rect, const QPointF& point) {
 std::vector<QRectF> markNumbers(const MapLayout& layout, const std::vector<MapMark>& marks, const QFontMetricsF& metrics) {
     std::vector<QPointF> places;
     QPointF middle;
+    const double unit = unitOfLetters(metrics), reach = kMarkerReach * unit;
     for (const MapMark& mark : marks) {
         places.push_back(layout.placeOf(mark.place));
         middle += places.back();
@@ -60,7 +62,7 @@ std::vector<QRectF> markNumbers(const MapLayout& layout, const std::vector<MapMa
     for (size_t i = 0; i < places.size(); ++i) {
         const auto free = [&](const QRectF& number) {
             return std::none_of(places.begin(), places.end(),
-                                [&](const QPointF& place) { return distanceTo(number, place) < kMarkerReach; }) &&
+                                [&](const QPointF& place) { return distanceTo(number, place) < reach; }) &&
                    std::none_of(numbers.begin(), numbers.end(), [&](const QRectF& other) { return other.intersects(number); });
         };
         // Numbers are placed outside of what the marks surround, so that they do not cover a small one.
@@ -73,9 +75,13 @@ std::vector<QRectF> markNumbers(const MapLayout& layout, const std::vector<MapMa
 
 std::vector<CircleLabel> circleLabels(const MapLayout& layout, const MapCircles& circles, const QFontMetricsF& metrics) {
     constexpr double kGap = 2.0;  // pixels between two labels
+    // On a low map each label would cover too much of it.
+    constexpr double kLowMap = 4.0;  // lines of text
+    const bool low = layout.area.height() < kLowMap * metrics.height();
     std::vector<CircleLabel> labels;
     // The right angle, where the paper's method changes, first; then away from it.
     for (const int degrees : {90, 60, 120, 30, 150}) {
+        if (low && degrees != 90) break;
         const std::vector<Vec2> line = circleOnMap(circles, degrees * std::numbers::pi / 180.0);
         // At its highest point the curve crosses no other line, and is level like the label.
         const Vec2 top = *std::min_element(line.begin(), line.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
@@ -98,7 +104,19 @@ void MapOverlay::paint(const CellMap& map) const {
     paintBoxes(map);
     paintCurves(map);
     m_painter.restore();
-    // Painted without the clipping to the map, because marks may lie at its edge.
+}
+
+void MapOverlay::paintLabels(const CellMap& map) const {
+    m_painter.save();
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    if (map.circles) {
+        for (const CircleLabel& label : circleLabels(m_layout, *map.circles, QFontMetricsF(m_painter.font())))
+            paintLabel(m_painter, label.place, circleWords(label.degrees), m_colours);
+        paintMarker(m_painter, m_layout.placeOf(mapAngles(map.circles->axis)), MapSymbol::Start, m_colours);
+        paintMarker(m_painter, m_layout.placeOf(mapAngles(-map.circles->axis)), MapSymbol::End, m_colours);
+    }
+    m_painter.restore();
+    // Not clipped to the map, because marks may lie at its edge.
     if (!map.marks.empty()) paintMarks(map.marks);
 }
 
@@ -131,14 +149,14 @@ void MapOverlay::paintBoxes(const CellMap& map) const {
     for (const SphericalGrid::Box& box : map.boxes) {
         QPainterPath path;
         path.addRect(m_layout.rectOf(map.grid, box).intersected(m_layout.area.adjusted(0.5, 0.5, -0.5, -0.5)));
-        strokeOver(m_painter, path, linePen(MapSymbol::Box, m_colours), m_colours.ground);
+        strokeOver(m_painter, path, linePen(MapSymbol::Box, m_colours), m_colours);
     }
 }
 
 void MapOverlay::paintCurves(const CellMap& map) const {
     for (const MapCurve& curve : map.curves)
         if (!curve.points.empty())
-            strokeOver(m_painter, wrapped(curve.points, curve.closed), linePen(curve.symbol, m_colours), m_colours.ground);
+            strokeOver(m_painter, wrapped(curve.points, curve.closed), linePen(curve.symbol, m_colours), m_colours);
 }
 
 void MapOverlay::paintMarks(const std::vector<MapMark>& marks) const {
@@ -157,11 +175,7 @@ void MapOverlay::paintCircles(const MapCircles& circles) const {
     for (uint32_t band = circles.every; band < circles.bands; band += circles.every)
         m_painter.drawPath(wrapped(circleOnMap(circles, band * circles.width), false));
     strokeOver(m_painter, wrapped(circleOnMap(circles, std::numbers::pi / 2), false), linePen(MapSymbol::RightAngle, m_colours),
-               m_colours.ground);
-    for (const CircleLabel& label : circleLabels(m_layout, circles, QFontMetricsF(m_painter.font())))
-        paintLabel(m_painter, label.place, circleWords(label.degrees), m_colours);
-    paintMarker(m_painter, m_layout.placeOf(mapAngles(circles.axis)), MapSymbol::Start, m_colours);
-    paintMarker(m_painter, m_layout.placeOf(mapAngles(-circles.axis)), MapSymbol::End, m_colours);
+               m_colours);
 }
 
 void MapOverlay::paintOutlines(const CellMap& map) const {
@@ -180,7 +194,7 @@ void MapOverlay::paintPicked(const SphericalGrid& grid, const std::vector<Spheri
     m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
     MapEdges edges(grid, m_layout);
     edges.choose(cells);
-    strokeOver(m_painter, edges.path(), linePen(MapSymbol::Picked, m_colours), m_colours.ground);
+    strokeOver(m_painter, edges.path(), linePen(MapSymbol::Picked, m_colours), m_colours);
     m_painter.fillRect(atLeast(m_layout.rectOf(grid, centroid), kLeastCellSize), m_colours.picked);
     m_painter.restore();
 }
@@ -190,7 +204,7 @@ void MapOverlay::paintPart(const CellMap& map, uint32_t part) const {
     m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
     m_painter.setRenderHint(QPainter::Antialiasing);
     for (const std::vector<Vec2>& line : map.source->partEdges(part))
-        strokeOver(m_painter, wrapped(line, false), linePen(MapSymbol::Part, m_colours), m_colours.ground);
+        strokeOver(m_painter, wrapped(line, false), linePen(MapSymbol::Part, m_colours), m_colours);
     m_painter.restore();
 }
 
@@ -210,9 +224,9 @@ void MapOverlay::paintInHand(const std::vector<std::vector<Vec2>>& lines) const 
         }
         path.addPath(one);
     }
-    m_painter.setPen(QPen(kInHandEdge, kInHandEdgeWidth));
+    m_painter.setPen(QPen(kInHandEdge, kInHandEdgeWidth * m_colours.unit));
     m_painter.drawPath(path);
-    m_painter.setPen(QPen(kInHandColour, kInHandWidth));
+    m_painter.setPen(QPen(kInHandColour, kInHandWidth * m_colours.unit));
     m_painter.drawPath(path);
     m_painter.restore();
 }
@@ -220,7 +234,7 @@ void MapOverlay::paintInHand(const std::vector<std::vector<Vec2>>& lines) const 
 void MapOverlay::paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const {
     QPainterPath path;
     path.addRect(atLeast(m_layout.rectOf(grid, cell), 2 * kLeastCellSize).adjusted(-2, -2, 2, 2));
-    strokeOver(m_painter, path, QPen(m_colours.text, 1.5), m_colours.ground);
+    strokeOver(m_painter, path, QPen(m_colours.text, 1.5 * m_colours.unit), m_colours);
 }
 
 }  // namespace cullscope::ui

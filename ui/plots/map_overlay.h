@@ -15,9 +15,10 @@ public:
     MapOverlay(QPainter& painter, const MapLayout& layout, const MapColours& colours)
         : m_painter(painter), m_layout(layout), m_colours(colours) {}
 
-    /// Paints the circles about an axis; the strategy's own cells, as far as they can be seen; walked cells, boxes and curves;
-    /// and the marks.
+    /// Paints the circles about an axis; the strategy's own cells, as far as they can be seen; walked cells, boxes and curves.
     void paint(const CellMap& map) const;
+    /// Paints the labels of circles, and the marks with their numbers. After all lines, which would cross them.
+    void paintLabels(const CellMap& map) const;
     void paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,
                      const SphericalGrid::Cell& centroid) const;
     /// Paints the edges of a part.
@@ -51,7 +52,7 @@ struct CircleLabel {
     int degrees = 0;  ///< angle from the axis
     QRectF place;     ///< within the map
 };
-/// Labels of every 30°, as many as fit beside each other: a small map keeps that of the right angle.
+/// Labels of every 30°, as many as fit beside each other: a low map has that of the right angle alone.
 [[nodiscard]] std::vector<CircleLabel> circleLabels(const MapLayout& layout, const MapCircles& circles,
                                                     const QFontMetricsF& metrics);
 

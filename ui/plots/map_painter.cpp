@@ -20,6 +20,7 @@ constexpr double kScaleLeading = 2.0;
 constexpr double kScaleWidth = 110.0;
 constexpr double kScaleGap = 5.0;
 constexpr double kBold = 1.2;        // how much wider bold letters are, at most
+constexpr double kEndless = 1e4;     // pixels
 constexpr double kNarrowMap = 0.45;  // of the width: so narrow is a map that its place's height limits
 
 double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kScaleLeading; }
@@ -38,6 +39,12 @@ std::vector<MapLegend::Entry> stateEntries(const std::vector<TriangleState>& sta
     std::vector<MapLegend::Entry> entries;
     for (const TriangleState state : states) entries.push_back({MapSymbol::Cells, stateWords(state, truthKnown), {}});
     return entries;
+}
+
+/// The part of a place to the right of the map in it.
+QRectF besideMap(QRectF place, const MapLayout& layout, const QFontMetricsF& metrics) {
+    place.setLeft(layout.area.right() + metrics.horizontalAdvance(QStringLiteral("360°")));
+    return place;
 }
 
 QRectF inner(const QRectF& place) { return place.adjusted(kMapMargin, 0, -kMapMargin, 0); }
@@ -83,14 +90,30 @@ double MapPainter::wordsHeight(const QFontMetricsF& metrics) const {
     return m_brief || contents().shown.empty() ? 0.0 : contents().shown.map->lineRoom * lineHeight(metrics);
 }
 
+std::vector<TriangleState> MapPainter::states() const {
+    std::vector<TriangleState> states;
+    const std::vector<uint8_t>& cells = m_cells.tones().tones;
+    for (size_t number = 0; m_cells.byState() && number < kTriangleStateCount; ++number)
+        if (std::find(cells.begin(), cells.end(), CellTones::toneOf(TriangleState(number))) != cells.end())
+            states.push_back(TriangleState(number));
+    if (m_cells.veiled()) states.push_back(TriangleState::Hidden);
+    return states;
+}
+
+std::vector<MapLegend::Entry> MapPainter::lines() const {
+    const CellMap& map = *contents().shown.map;
+    std::vector<MapLegend::Entry> entries;
+    for (const MapLegendEntry& entry : map.legend)
+        if (hasSymbol(map, entry.symbol)) entries.push_back({entry.symbol, translated(entry.words), {}});
+    if (contents().part) entries.push_back({MapSymbol::Part, translated(map.source->partWords(*contents().part)), {}});
+    return entries;
+}
+
 std::vector<MapLegend::Entry> MapPainter::statesShown(const QPalette& palette) const {
     std::vector<MapLegend::Entry> entries;
-    const std::vector<uint8_t>& cells = m_cells.tones().tones;
-    for (size_t number = 0; number < kTriangleStateCount; ++number) {
-        const auto state = TriangleState(number);
-        if (std::find(cells.begin(), cells.end(), CellTones::toneOf(state)) == cells.end()) continue;
+    if (!m_cells.byState()) return entries;
+    for (const TriangleState state : states())
         entries.push_back({MapSymbol::Cells, stateWords(state, contents().truth != nullptr), verdictColour(state, palette)});
-    }
     return entries;
 }
 
@@ -101,7 +124,7 @@ QColor MapPainter::veiledColour(const QPalette& palette) const {
 MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palette) const {
     std::vector<MapLegend::Entry> entries;
     const CellMap& map = *contents().shown.map;
-    if (m_cells.byState()) entries = statesShown(palette);
+    entries = statesShown(palette);
     if (m_cells.veiled()) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), veiledColour(palette)});
     append(entries, translatedEntries(map.legend));
     if (contents().part) entries.push_back({MapSymbol::Part, translated(map.source->partWords(*contents().part)), {}});
@@ -109,27 +132,41 @@ MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palet
     return {std::move(entries), metrics};
 }
 
-bool MapPainter::captionBeside(const QRectF& place, const QFontMetricsF& metrics) const {
+std::optional<MapLayout> MapPainter::layoutBesideCaption(const QRectF& place, const QFontMetricsF& metrics) const {
     const QRectF within = inner(place);
     const MapLayout above(within.adjusted(0, lineHeight(metrics), 0, -kMapMargin), metrics);
-    return m_brief && above.area.width() < kNarrowMap * within.width();
+    if (!m_brief || contents().shown.empty() || above.area.width() >= kNarrowMap * within.width()) return std::nullopt;
+    const QString words = translated(contents().shown.map->decisionWords);
+    // A smaller map leaves more room for the caption.
+    constexpr double kStep = 8.0;
+    for (QRectF rest = within.adjusted(0, 0, 0, -kMapMargin); rest.width() > kStep; rest.setWidth(rest.width() - kStep)) {
+        const MapLayout map(rest, metrics);
+        const QRectF room = besideMap(within, map, metrics);
+        const QRectF needed =
+            metrics.boundingRect(QRectF(0.0, 0.0, room.width() / kBold, kEndless), Qt::AlignLeft | Qt::TextWordWrap, words);
+        if (kBold * needed.width() <= room.width() && needed.height() <= room.height()) return map;
+        if (map.area.width() <= above.area.width()) break;
+    }
+    return std::nullopt;
 }
 
 MapLayout MapPainter::layout(const QRectF& place, const QFontMetricsF& metrics) const {
+    if (const std::optional<MapLayout> beside = layoutBesideCaption(place, metrics)) return *beside;
     const QRectF within = inner(place);
-    const double caption = captionBeside(place, metrics) ? 0.0 : captionHeight(within.width(), metrics);
-    return {within.adjusted(0, caption, 0, -heightBelow(within.width(), metrics) - kMapMargin), metrics};
+    return {within.adjusted(0, captionHeight(within.width(), metrics), 0, -heightBelow(within.width(), metrics) - kMapMargin),
+            metrics};
 }
 
 void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& palette,
                        const std::optional<SphericalGrid::Cell>& cursor) const {
-    const MapColours colours(palette);
+    MapColours colours(palette);
     const QFontMetricsF metrics(painter.font());
+    colours.unit = unitOfLetters(metrics);
     const ShownMap& shown = contents().shown;
     const MapLayout layout = this->layout(place, metrics);
     painter.save();
     QRectF caption = inner(place);
-    if (captionBeside(place, metrics)) caption.setLeft(layout.area.right() + metrics.horizontalAdvance(QStringLiteral("360°")));
+    if (layoutBesideCaption(place, metrics)) caption = besideMap(caption, layout, metrics);
     paintCaption(painter, caption, colours);
     m_cells.paint(painter, layout.area, palette, colours.veil);
     const MapOverlay overlay(painter, layout, colours);
@@ -138,8 +175,9 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
     if (contents().picked)
         overlay.paintPicked(shown.grid(), shown.source().cellsOf(*contents().picked), shown.source().ownerOf(*contents().picked));
     if (!contents().inHand.empty()) overlay.paintInHand(contents().inHand);
+    overlay.paintLabels(*shown.map);
     if (cursor) overlay.paintCursor(shown.grid(), *cursor);
-    paintAxes(painter, layout.area, colours);
+    paintAxes(painter, layout, colours);
     if (m_brief) return painter.restore();
     QRectF below = inner(place);
     below.setTop(layout.area.bottom() + metrics.height() + kMapMargin);
@@ -188,44 +226,20 @@ void MapPainter::paintWords(QPainter& painter, const QRectF& place, const MapCol
     }
 }
 
-void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours) {
-    const QFontMetricsF metrics(painter.font());
+void MapPainter::paintAxes(QPainter& painter, const MapLayout& layout, const MapColours& colours) {
+    const QRectF& area = layout.area;
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(colours.faintText, 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(area);
-    const auto degrees = [](int value) { return QStringLiteral("%1°").arg(value); };
-    constexpr double kTick = 3.0, kGap = 5.0;
-    // In a lecture the letters are large: a number needs its own width.
-    const double wide = std::ceil(metrics.horizontalAdvance(degrees(360))) + 2.0;
-    // In large letters beside a small map there is room for the ends alone.
-    int across = 90, down = 90;
-    while (across < 360 && area.width() * across / 360.0 < 1.2 * metrics.horizontalAdvance(degrees(360))) across *= 2;
-    if (area.height() / 2 < 1.1 * metrics.height()) down = 180;
-    for (int phi = 0; phi <= 360; phi += 45) {
-        const double x = area.left() + phi / 360.0 * area.width();
-        painter.setPen(colours.faintText);
-        painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kTick));
-        if (phi % across != 0) continue;
-        painter.setPen(colours.text);
-        painter.drawText(QRectF(x - wide / 2, area.bottom() + kTick, wide, metrics.height()), Qt::AlignHCenter | Qt::AlignTop,
-                         degrees(phi));
+    for (int eighth = 0; eighth <= 8; ++eighth) {
+        const double x = area.left() + eighth / 8.0 * area.width(), y = area.top() + eighth / 4.0 * area.height();
+        painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + MapLayout::kTick));
+        if (eighth <= 4) painter.drawLine(QPointF(area.left() - MapLayout::kTick, y), QPointF(area.left(), y));
     }
-    for (int theta = 0; theta <= 180; theta += 45) {
-        const double y = area.top() + theta / 180.0 * area.height();
-        painter.setPen(colours.faintText);
-        painter.drawLine(QPointF(area.left() - kTick, y), QPointF(area.left(), y));
-        if (theta % down != 0) continue;
-        painter.setPen(colours.text);
-        painter.drawText(QRectF(area.left() - kGap - wide, y - metrics.height() / 2, wide, metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, degrees(theta));
-    }
-    if (across > 90 || down > 90) return;
-    const double step = area.width() / 8, quarter = area.height() / 4;
-    painter.drawText(QRectF(area.left() + 5 * step - wide / 2, area.bottom() + kTick, wide, metrics.height()), Qt::AlignCenter,
-                     QStringLiteral("φ"));
-    painter.drawText(QRectF(area.left() - kGap - wide, area.top() + 3 * quarter - metrics.height() / 2, wide, metrics.height()),
-                     Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("θ"));
+    painter.setPen(colours.text);
+    for (const MapLayout::AxisLabel& label : layout.axisLabels(QFontMetricsF(painter.font())))
+        painter.drawText(label.place, Qt::AlignCenter | Qt::TextDontClip, label.words);
 }
 
 void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalette& palette) const {

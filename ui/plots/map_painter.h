@@ -28,15 +28,19 @@ public:
     void paint(QPainter& painter, const QRectF& place, const QPalette& palette,
                const std::optional<SphericalGrid::Cell>& cursor = {}) const;
 
+    /// What a brief map leaves to another legend: the lines and marks that it has, and the states whose colours it has.
+    [[nodiscard]] std::vector<MapLegend::Entry> lines() const;
+    [[nodiscard]] std::vector<TriangleState> states() const;
+
     /// The colour of a cell from the middle of the scale under the veil, as the legend shows it.
     [[nodiscard]] QColor veiledColour(const QPalette& palette) const;
 
 private:
     void paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const;
-    /// Whether the caption of a brief map stands beside it: where its height alone limits the map. Above, it would leave a map of
-    /// half the size.
-    [[nodiscard]] bool captionBeside(const QRectF& place, const QFontMetricsF& metrics) const;
-    static void paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours);
+    /// The layout of a brief map whose caption stands beside it: where its height alone limits the map, which would have half the
+    /// size below its caption. None: the caption stands above.
+    [[nodiscard]] std::optional<MapLayout> layoutBesideCaption(const QRectF& place, const QFontMetricsF& metrics) const;
+    static void paintAxes(QPainter& painter, const MapLayout& layout, const MapColours& colours);
     /// The height of the map's lines of text between scale and legend.
     [[nodiscard]] double wordsHeight(const QFontMetricsF& metrics) const;
     void paintWords(QPainter& painter, const QRectF& place, const MapColours& colours) const;

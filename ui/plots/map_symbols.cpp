@@ -54,44 +54,74 @@ QColor MapColours::veiled(const QColor& under) const {
                             mixed(veil.blueF(), under.blueF()));
 }
 
-void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const QColor& ground) {
-    QColor under = ground;
+double unitOfLetters(const QFontMetricsF& metrics) {
+    constexpr double kLineOfLecture = 24.0;  // pixels: letters of 20
+    return std::max(1.0, metrics.height() / kLineOfLecture);
+}
+
+void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const MapColours& colours) {
+    QColor under = colours.ground;
     under.setAlphaF(0.75);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(under, pen.widthF() + 2.0, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
+    painter.setPen(QPen(under, pen.widthF() + 2.0 * colours.unit, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     painter.drawPath(path);
     painter.setPen(pen);
     painter.drawPath(path);
 }
 
 QPen linePen(MapSymbol symbol, const MapColours& colours) {
+    const auto wide = [&](double width) { return width * colours.unit; };
     if (symbol == MapSymbol::Region) {
-        QPen pen(colours.region, 2.0, Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
+        QPen pen(colours.region, wide(2.0), Qt::CustomDashLine, Qt::FlatCap, Qt::RoundJoin);
         pen.setDashPattern({3.0, 2.0});
         return pen;
     }
-    if (symbol == MapSymbol::Box) return {colours.text, 1.2};
-    if (symbol == MapSymbol::Part) return {colours.text, 1.6, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin};
-    if (symbol == MapSymbol::Cell) return {colours.cell, 0.8};
-    if (symbol == MapSymbol::Horizon) return {colours.region, 2.0};
-    if (symbol == MapSymbol::RightAngle) return {colours.circle, 2.2};
-    return {symbol == MapSymbol::Picked ? colours.picked : colours.circle, symbol == MapSymbol::Picked ? 2.0 : 1.2};
+    if (symbol == MapSymbol::Box) return {colours.text, wide(1.2)};
+    if (symbol == MapSymbol::Part) return {colours.text, wide(1.6), Qt::DashLine, Qt::FlatCap, Qt::RoundJoin};
+    if (symbol == MapSymbol::Cell) return {colours.cell, wide(0.8)};
+    if (symbol == MapSymbol::Horizon) return {colours.region, wide(2.0)};
+    if (symbol == MapSymbol::RightAngle) return {colours.circle, wide(2.2)};
+    return {symbol == MapSymbol::Picked ? colours.picked : colours.circle, wide(symbol == MapSymbol::Picked ? 2.0 : 1.2)};
 }
 
 void paintMarker(QPainter& painter, const QPointF& centre, MapSymbol symbol, const MapColours& colours) {
+    const double radius = kMarkerRadius * colours.unit;
     if (symbol == MapSymbol::Miss) {
-        painter.setPen(QPen(colours.region, 2.0));
+        painter.setPen(QPen(colours.region, 2.0 * colours.unit));
         painter.setBrush(colours.ground);
-        return painter.drawPath(diamond(centre, kMarkerRadius + 1.0));
+        return painter.drawPath(diamond(centre, radius + colours.unit));
     }
     const QColor colour = symbol == MapSymbol::Hit ? colours.region : colours.circle;
-    painter.setPen(QPen(colours.ground, 1.5));
+    painter.setPen(QPen(colours.ground, 1.5 * colours.unit));
     painter.setBrush(colour);
-    painter.drawPath(disc(centre, kMarkerRadius));
+    painter.drawPath(disc(centre, radius));
     if (symbol != MapSymbol::End) return;
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours.ground);
-    painter.drawPath(disc(centre, kMarkerRadius - 2.5));
+    painter.drawPath(disc(centre, radius - 2.5 * colours.unit));
+}
+
+bool hasSymbol(const CellMap& map, MapSymbol symbol) {
+    switch (symbol) {
+        case MapSymbol::Region:
+        case MapSymbol::Horizon:
+            return std::ranges::any_of(map.curves,
+                                       [=](const MapCurve& curve) { return curve.symbol == symbol && !curve.points.empty(); });
+        case MapSymbol::Hit:
+        case MapSymbol::Miss:
+            return std::ranges::any_of(map.marks, [=](const MapMark& mark) { return mark.symbol == symbol; });
+        case MapSymbol::Box:
+            return !map.boxes.empty();
+        case MapSymbol::Walked:
+            return !map.walked.empty();
+        case MapSymbol::Circle:
+        case MapSymbol::RightAngle:
+        case MapSymbol::Start:
+        case MapSymbol::End:
+            return map.circles.has_value();
+        default:
+            return true;
+    }
 }
 
 QRectF labelPlace(const QPointF& centre, const QString& words, const QRectF& bounds, const QFontMetricsF& metrics) {
@@ -123,20 +153,21 @@ void paintSymbol(QPainter& painter, const QRectF& place, MapSymbol symbol, const
         case MapSymbol::End:
             return paintMarker(painter, centre, symbol, colours);
         case MapSymbol::Walked:
-            return painter.fillRect(QRectF(centre.x() - 6.0, centre.y() - 3.0, 12.0, 6.0), colours.walked);
+            return painter.fillRect(QRectF(centre - QPointF(6.0, 3.0) * colours.unit, QSizeF(12.0, 6.0) * colours.unit),
+                                    colours.walked);
         default:
             break;
     }
     QPainterPath path;
     if (symbol == MapSymbol::Box || symbol == MapSymbol::Cell || symbol == MapSymbol::Picked) {
-        path.addRect(QRectF(centre.x() - 7.0, centre.y() - 4.0, 14.0, 8.0));
+        path.addRect(QRectF(centre - QPointF(7.0, 4.0) * colours.unit, QSizeF(14.0, 8.0) * colours.unit));
     } else {
         path.moveTo(place.left(), centre.y());
         path.lineTo(place.right(), centre.y());
     }
     painter.setBrush(Qt::NoBrush);
     // In the legend, a line as thin and pale as on the map would hardly be visible.
-    painter.setPen(symbol == MapSymbol::Cell ? QPen(colours.faintText, 1.2) : linePen(symbol, colours));
+    painter.setPen(symbol == MapSymbol::Cell ? QPen(colours.faintText, 1.2 * colours.unit) : linePen(symbol, colours));
     painter.drawPath(path);
 }
 

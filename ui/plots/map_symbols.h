@@ -21,14 +21,18 @@ struct MapColours {
     QColor circle;
     QColor picked;
     QColor cell;
-    QColor veil;  ///< half transparent, over hidden cells
+    QColor veil;        ///< half transparent, over hidden cells
+    double unit = 1.0;  ///< of widths and marks, in the painter's units: more where letters are large
 
     /// The colour `under` with the veil over it.
     [[nodiscard]] QColor veiled(const QColor& under) const;
 };
 
+/// The unit of signs among letters of a font: signs grow with letters that are larger than those of a lecture at 1280 × 720.
+[[nodiscard]] double unitOfLetters(const QFontMetricsF& metrics);
+
 /// Strokes a line that is visible on any cell: over a wider line in the background colour.
-void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const QColor& ground);
+void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const MapColours& colours);
 /// The pen of a symbol that is a line.
 [[nodiscard]] QPen linePen(MapSymbol symbol, const MapColours& colours);
 void paintMarker(QPainter& painter, const QPointF& centre, MapSymbol symbol, const MapColours& colours);
@@ -40,6 +44,8 @@ inline constexpr double kMarkerReach = 7.0;
 void paintLabel(QPainter& painter, const QRectF& place, const QString& words, const MapColours& colours);
 /// Paints such text centred at a point, moved into the bounds.
 void paintLabel(QPainter& painter, const QPointF& centre, const QString& words, const QRectF& bounds, const MapColours& colours);
+/// Whether a map has something with this symbol.
+[[nodiscard]] bool hasSymbol(const CellMap& map, MapSymbol symbol);
 /// Paints the legend's sample of a symbol into a rectangle.
 void paintSymbol(QPainter& painter, const QRectF& place, MapSymbol symbol, const MapColours& colours);
 

@@ -48,6 +48,10 @@ void MapWidget::setBrief() {
 
 int MapWidget::wholeHeight(int width) const { return int(m_painter.neededHeight(width, QFontMetricsF(font()))); }
 
+std::vector<MapLegend::Entry> MapWidget::lines() const { return empty() ? std::vector<MapLegend::Entry>() : m_painter.lines(); }
+
+std::vector<TriangleState> MapWidget::states() const { return empty() ? std::vector<TriangleState>() : m_painter.states(); }
+
 MapLayout MapWidget::layoutOfMap() const { return m_painter.layout(rect(), QFontMetricsF(font())); }
 
 QString MapWidget::title() const { return empty() ? QString() : translated(m_painter.contents().shown.map->title); }

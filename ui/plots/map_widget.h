@@ -20,6 +20,9 @@ public:
     void setBrief();
     /// The height of all of it, as wide as this, brief or not; more is left empty.
     [[nodiscard]] int wholeHeight(int width) const;
+    /// What a brief map leaves to another legend; none while there is no map.
+    [[nodiscard]] std::vector<MapLegend::Entry> lines() const;
+    [[nodiscard]] std::vector<TriangleState> states() const;
     /// The id of the shown colouring; empty: there is none.
     [[nodiscard]] std::string colouring() const { return m_painter.colouring(); }
     /// The cell of the keyboard cursor; none: it was not moved yet.

@@ -33,6 +33,8 @@ public:
     /// than the view's.
     [[nodiscard]] const SnapshotReadingPointer& reading() const { return m_reading; }
     [[nodiscard]] bool fresh() const;
+    /// Whether one of the registered widgets is visible.
+    [[nodiscard]] bool wanted() const;
     /// The picked triangle, numbered as in the shown scene; none: no triangle is picked, or its object is hidden.
     [[nodiscard]] std::optional<uint64_t> pickedTriangle() const;
     /// The picked triangle's state against the truth, at a step as the frame has it so far; none while it is not known.
@@ -58,7 +60,6 @@ private:
                                                           const Message& failure, const SnapshotReadingPointer& known);
     [[nodiscard]] std::optional<Request> present() const;
     [[nodiscard]] bool answers(const Request& request) const;
-    [[nodiscard]] bool wanted() const;
     void check();
     void start();
     void startReading(const Request& request, const ViewFramePointer& frame, const Message& failure,

@@ -1,8 +1,10 @@
 #include "ui/text/language.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+
+#include "ui/text/letters.h"
 
 namespace cullscope::ui {
 
@@ -31,6 +33,7 @@ QString Language::ofSystem() {
 Language::~Language() {
     QCoreApplication::removeTranslator(&m_program);
     QCoreApplication::removeTranslator(&m_qt);
+    if (m_plain) QApplication::setFont(*m_plain);
 }
 
 void Language::use(const QString& id) {
@@ -44,7 +47,16 @@ void Language::use(const QString& id) {
             QCoreApplication::installTranslator(&m_qt);
         if (m_program.load(QStringLiteral(":/i18n/cullscope_") + id)) QCoreApplication::installTranslator(&m_program);
     }
+    setLetters();
     emit changed();
+}
+
+void Language::setLetters() {
+    const QFont plain = m_plain.value_or(QApplication::font());
+    const QFont letters = lettersOf(QLocale(m_current), plain);
+    if (letters == QApplication::font()) return;
+    m_plain = plain;
+    QApplication::setFont(letters);
 }
 
 }  // namespace cullscope::ui

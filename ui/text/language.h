@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QFont>
 #include <QList>
 #include <QObject>
 #include <QString>
 #include <QTranslator>
+#include <optional>
 
 namespace cullscope::ui {
 
@@ -25,16 +27,19 @@ public:
     ~Language() override;
 
     [[nodiscard]] const QString& current() const { return m_current; }
-    /// Loads the catalogues of the program and of Qt for a language.
+    /// Loads the catalogues of the program and of Qt for a language, and has the application write its characters.
     void use(const QString& id);
 
 signals:
     void changed();
 
 private:
+    void setLetters();
+
     QString m_current = QStringLiteral("en");
     QTranslator m_program;
     QTranslator m_qt;
+    std::optional<QFont> m_plain;  ///< the application's font where a language took another
 };
 
 }  // namespace cullscope::ui

@@ -18,10 +18,10 @@ constexpr std::array kNames{"X", "Y", "Z"};
 
 }  // namespace
 
-OrientationGizmo::OrientationGizmo(const View& camera, const QRectF& picture) {
-    const double reach = picture.width() > kRoomy ? kAxisReach : kSmallReach;
+OrientationGizmo::OrientationGizmo(const View& camera, const QRectF& picture, double unit) : m_unit(unit) {
+    const double reach = unit * (picture.width() > unit * kRoomy ? kAxisReach : kSmallReach);
     m_ball = kBallShare * reach;
-    const double away = kGizmoMargin + reach + m_ball;
+    const double away = kGizmoMargin * unit + reach + m_ball;
     m_middle = picture.bottomLeft() + QPointF(away, -away);
     const Frustum& frustum = camera.frustum();
     for (int axis = 0; axis < 3; ++axis)
@@ -50,7 +50,7 @@ void OrientationGizmo::paintEnd(QPainter& painter, const End& end) const {
     const QColor& colour = kColours[size_t(end.axis)];
     const QRectF ball(end.place - QPointF(m_ball, m_ball), 2.0 * QSizeF(m_ball, m_ball));
     if (positive(end)) {
-        painter.setPen(QPen(colour, 2.0));
+        painter.setPen(QPen(colour, 2.0 * m_unit));
         painter.drawLine(m_middle, end.place);
         painter.setBrush(colour);
         painter.drawEllipse(ball);
@@ -60,7 +60,7 @@ void OrientationGizmo::paintEnd(QPainter& painter, const End& end) const {
     }
     QColor pale = colour;
     pale.setAlphaF(0.25f);
-    painter.setPen(QPen(colour, 1.5));
+    painter.setPen(QPen(colour, 1.5 * m_unit));
     painter.setBrush(pale);
     const double inset = 0.2 * m_ball;
     painter.drawEllipse(ball.adjusted(inset, inset, -inset, -inset));

@@ -13,7 +13,8 @@ namespace cullscope::ui {
 class OrientationGizmo {
 public:
     /// `picture`: rectangle of the view's picture, in the units of the painter and of click positions.
-    OrientationGizmo(const View& camera, const QRectF& picture);
+    /// `unit`: its scale.
+    OrientationGizmo(const View& camera, const QRectF& picture, double unit = 1.0);
 
     void paint(QPainter& painter) const;
     /// The unit vector from the scene towards the viewer for the axis end at a position; none: no end is there.
@@ -31,6 +32,7 @@ private:
     void paintEnd(QPainter& painter, const End& end) const;
 
     QPointF m_middle;
+    double m_unit;
     double m_ball;              ///< radius of an axis end
     std::array<End, 6> m_ends;  ///< sorted, farthest first
 };

@@ -165,8 +165,8 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const s
     painter.restore();
 }
 
-void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
-                  bool ownPicture) {
+void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout, bool ownPicture,
+                  double unit) {
     const Projection projection(viewing, layout);
     painter.save();
     painter.setClipRect(layout.rect(), Qt::IntersectClip);
@@ -202,8 +202,8 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
         if (!shape.pixels || !ownPicture) return;
         painter.drawRect(QRectF(layout.positionOf((*shape.pixels)[0]), layout.positionOf((*shape.pixels)[1])).normalized());
     };
-    draw(kInHandEdge, kInHandEdgeWidth);
-    draw(kInHandColour, kInHandWidth);
+    draw(kInHandEdge, kInHandEdgeWidth * unit);
+    draw(kInHandColour, kInHandWidth * unit);
     painter.restore();
 }
 

@@ -15,9 +15,9 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const s
 
 /// Marks the subject in hand of a stepped view: its boxes, triangles and lines, and with dashes what it is compared with; its
 /// rectangle of the picture where the picture is the culling view's (`ownPicture`), elsewhere what the culling eye sees through
-/// it.
-void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
-                  bool ownPicture);
+/// it. `unit`: the scale of the lines' widths.
+void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout, bool ownPicture,
+                  double unit = 1.0);
 
 /// Marks a group of what a strategy built: its box with dashes, what divides it and its triangles filled.
 void paintGroup(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout);

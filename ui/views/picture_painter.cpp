@@ -78,7 +78,7 @@ void paintWipeLine(QPainter& painter, const QRectF& target, const PictureExtras&
     label(painter, QRectF(x, target.top(), target.right() - x, target.height()), Qt::AlignLeft, extras.right, extras.unit);
 }
 
-/// Light letters with a dark edge, above the places that they name.
+/// Light letters with a dark edge on what they name, or above it where it is smaller than they are.
 void paintNames(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
     const double perPixel = target.width() / picture.request.size.width;
     QFont font = painter.font();
@@ -87,9 +87,14 @@ void paintNames(QPainter& painter, const QRectF& target, const ViewPicture& pict
     painter.save();
     painter.setClipRect(target, Qt::IntersectClip);
     for (const PlacedName& name : extras.names) {
-        const QPointF place = target.topLeft() + name.place * perPixel;
+        const double wide = metrics.horizontalAdvance(name.text);
+        const QSizeF seen = name.extent.size() * perPixel;
+        const bool above = seen.width() < wide || seen.height() < metrics.capHeight();
+        QPointF base = target.topLeft() + name.place * perPixel + QPointF(0.0, metrics.capHeight() / 2.0);
+        if (above)
+            base = target.topLeft() + QPointF(name.place.x(), name.extent.top()) * perPixel - QPointF(0.0, 4.0 * extras.unit);
         QPainterPath letters;
-        letters.addText(place - QPointF(metrics.horizontalAdvance(name.text) / 2.0, metrics.height()), font, name.text);
+        letters.addText(base - QPointF(wide / 2.0, 0.0), font, name.text);
         painter.strokePath(letters, QPen(kLineEdge, 3.0 * extras.unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.fillPath(letters, kWipeLine);
     }

@@ -12,7 +12,8 @@ namespace cullscope::ui {
 /// A word over a picture.
 struct PlacedName {
     QString text;
-    QPointF place;  ///< of what it names, in picture pixels from the top left; the word stands above it
+    QPointF place;    ///< on what it names where that is seen, in picture pixels from the top left; the word stands there
+    QRectF extent{};  ///< of what is seen of it: above one that is smaller than the word, the word stands over it
 };
 
 /// The overlays of a picture, in the units of the painter.

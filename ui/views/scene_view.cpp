@@ -123,6 +123,7 @@ PictureSubject SceneView::subject() const {
 
 PictureExtras SceneView::extras() const {
     PictureExtras extras;
+    extras.unit = m_unit;
     if (m_session.setup(m_view).look.inPlace()) {
         // The pixels of this picture are directions: overlays with camera positions cannot be placed on it.
         extras.modelScales = true;
@@ -182,6 +183,11 @@ void SceneView::endLoupe() {
     emit loupeMoved(m_view, std::nullopt);
 }
 
+void SceneView::setUnit(double unit) {
+    m_unit = unit;
+    update();
+}
+
 void SceneView::setAxes(bool on) {
     m_axes = on;
     update();
@@ -190,7 +196,7 @@ void SceneView::setAxes(bool on) {
 std::optional<OrientationGizmo> SceneView::axes() const {
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (!m_axes || !shown || shown->request.look.inPlace()) return std::nullopt;
-    return OrientationGizmo(View(shown->request.viewing, shown->request.size), pictureLayout().rect());
+    return OrientationGizmo(View(shown->request.viewing, shown->request.size), pictureLayout().rect(), m_unit);
 }
 
 void SceneView::goToNextLoss() {
@@ -264,7 +270,7 @@ void SceneView::paintStep(QPainter& painter, const PictureLayout& layout) const 
     // Of a newer frame's subject nothing is known before the picture of that frame is there.
     if (!shown->frame->request.sameFrame(step->frame->request)) return;
     paintSubject(painter, step->shape, View(shown->request.viewing, shown->request.size), layout,
-                 shown->request.viewing == shown->request.culling);
+                 shown->request.viewing == shown->request.culling, m_unit);
 }
 
 void SceneView::tellSize() {

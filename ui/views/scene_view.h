@@ -73,6 +73,8 @@ public:
     bool leaveLosses();
     /// Shows a rectangle that is being dragged, in the widget; none: there is none.
     void setRegion(const std::optional<QRectF>& region);
+    /// The scale of line widths and signs over the picture; 1 in the window, more on the large screen of a lecture.
+    void setUnit(double unit);
     /// Shows or hides the scene's axes in a corner, whose ends can be clicked.
     void setAxes(bool on);
     /// The scene's axes; none: they are not shown.
@@ -105,6 +107,7 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    double m_unit = 1.0;
     void tellSize();
     /// What a stepped view has over its picture: what is decided and not drawn yet, and the subject in hand.
     void paintStep(QPainter& painter, const PictureLayout& layout) const;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMargin = 8;
 constexpr int kShortMargin = 4;
+constexpr int kTightMargin = 2;  // among the large letters of a lecture
 constexpr int kMarkerSize = 11;
 constexpr int kFontPixels = 14;
 
@@ -57,6 +58,7 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
 
 void ViewHeader::setLetters(int pixels) {
     const int letters = pixels > 0 ? pixels : kFontPixels;
+    m_large = pixels > 0;
     m_lineHeight = pixels > 0 ? letters * kLineHeight / kFontPixels : kLineHeight;
     QFont font = this->font();
     font.setPixelSize(letters);
@@ -166,37 +168,44 @@ void ViewHeader::placeButton() {
     m_menu->setGeometry(menuLeft(), 0, m_lineHeight, m_lineHeight);
 }
 
+int ViewHeader::markerSize() const { return kMarkerSize * m_lineHeight / kLineHeight; }
+
 QFont ViewHeader::face(bool bold) const {
     QFont result = font();
     result.setBold(bold);
     return result;
 }
 
-std::vector<ViewHeader::Part> ViewHeader::parts(bool withName) const {
+std::vector<ViewHeader::Part> ViewHeader::parts(const Contents& contents) const {
     std::vector<Part> parts;
     if (m_session.viewCount() > 1) parts.push_back({.text = viewLetter(m_view), .bold = true, .subdued = true});
     if (const QString role = roleWord(); !role.isEmpty())
-        parts.push_back({.text = withName ? role + QString::fromUtf8(kJoint) : role, .joined = withName});
-    if (withName) parts.push_back({.text = translated(info().name), .bold = true});
-    if (promise()) parts.push_back({.text = promiseWord(*promise()), .marker = promise()});
-    parts.push_back({.text = QString::fromStdString(info().id), .subdued = true});
+        parts.push_back({.text = contents.name ? role + QString::fromUtf8(kJoint) : role, .joined = contents.name});
+    if (contents.name) parts.push_back({.text = translated(info().name), .bold = true});
+    if (contents.promise && promise())
+        parts.push_back({.text = contents.word ? promiseWord(*promise()) : QString(), .marker = promise()});
+    if (contents.id) parts.push_back({.text = QString::fromStdString(info().id), .subdued = true});
     return parts;
 }
 
 int ViewHeader::widthOf(const FirstLine& line) const {
     int width = line.margin;
     for (const Part& part : line.parts) {
-        if (part.marker) width += kMarkerSize + kMargin / 2;
+        if (part.marker) width += markerSize() + kMargin / 2;
         width += QFontMetrics(face(part.bold)).horizontalAdvance(part.text) + (part.joined ? 0 : line.margin);
     }
     return width;
 }
 
 ViewHeader::FirstLine ViewHeader::fittingLine() const {
+    static const std::vector<Contents> inWindow{{}, {.name = false}};
+    static const std::vector<Contents> inLecture{
+        {}, {.id = false}, {.word = false, .id = false}, {.promise = false, .id = false}, {.name = false, .word = false}};
     FirstLine line;
-    for (const bool withName : {true, false}) {
-        for (const int margin : {kMargin, kShortMargin}) {
-            line = {parts(withName), margin};
+    for (const Contents& contents : m_large ? inLecture : inWindow) {
+        for (const int margin : {kMargin, kShortMargin, kTightMargin}) {
+            if (margin == kTightMargin && !m_large) continue;
+            line = {parts(contents), margin};
             if (widthOf(line) <= menuLeft()) return line;
         }
     }
@@ -221,9 +230,9 @@ void ViewHeader::paintFirstLine(QPainter& painter) {
     int x = line.margin;
     for (const Part& part : line.parts) {
         if (part.marker) {
-            drawPromiseMarker(painter, QRectF(x, (m_lineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize), *part.marker,
-                              text);
-            x += kMarkerSize + kMargin / 2;
+            const int size = markerSize();
+            drawPromiseMarker(painter, QRectF(x, (m_lineHeight - size) / 2.0, size, size), *part.marker, text);
+            x += size + kMargin / 2;
         }
         painter.setFont(face(part.bold));
         painter.setPen(part.subdued ? subdued(palette()) : text);

@@ -27,7 +27,8 @@ public:
     [[nodiscard]] QString secondLine() const;
     /// The same for a width in pixels: shorter where it does not fit while the view is stepped.
     [[nodiscard]] QString secondLine(const QFontMetrics& metrics, int width) const;
-    /// The first line as shown at this width: if there is no room for the strategy's name, only its id.
+    /// The first line as shown at this width: if there is no room for the strategy's name, only its id; in the large letters of a
+    /// lecture the name, which the audience reads, and no id.
     [[nodiscard]] QString shownFirstLine() const;
     /// Whether text was elided in the last paint event.
     [[nodiscard]] bool elided() const { return m_elided; }
@@ -59,9 +60,14 @@ private:
     void refresh();
     void placeButton();
     [[nodiscard]] int menuLeft() const { return width() - m_lineHeight - 2; }
-    [[nodiscard]] std::vector<Part> parts(bool withName) const;
+    /// What the first line has besides the view's letter.
+    struct Contents {
+        bool name = true, promise = true, word = true, id = true;
+    };
+    [[nodiscard]] std::vector<Part> parts(const Contents& contents) const;
     [[nodiscard]] FirstLine fittingLine() const;
     [[nodiscard]] int widthOf(const FirstLine& line) const;
+    [[nodiscard]] int markerSize() const;
     [[nodiscard]] QFont face(bool bold) const;
     void paintFirstLine(QPainter& painter);
     /// Paints text into a rectangle, elided if it does not fit.
@@ -78,6 +84,7 @@ private:
     QToolButton* m_measure;
     QToolButton* m_menu;
     int m_lineHeight = kLineHeight;
+    bool m_large = false;  ///< letters of a lecture
     double m_scale = 1.0;
     bool m_figuresHidden = false;
     bool m_elided = false;

@@ -15,6 +15,7 @@ namespace {
 constexpr int kChipInset = 8;
 constexpr double kPictureOverStrip = 0.55;  // its share of the height that a strip leaves
 constexpr double kUsualPace = 1.0;
+constexpr double kLettersOfLecture = 20.0;  // pixels, at 1280 × 720
 
 }  // namespace
 
@@ -177,6 +178,7 @@ void ViewPane::setLent(Lent lent, int letters) {
     if (lent != Lent::No) large.setPixelSize(letters);
     setFont(large);
     m_header->setLetters(lent == Lent::No ? 0 : letters);
+    m_picture->setUnit(lent == Lent::No ? 1.0 : std::max(1.0, letters / kLettersOfLecture));
     arrange();
 }
 

@@ -38,7 +38,8 @@ constexpr int kTitleLetters = 26;
 constexpr int kSentenceLetters = 24;
 constexpr int kNumberLetters = 24;
 constexpr int kPaneGap = 4;
-constexpr double kWatchingShare = 0.5;        // of the height: the view that watches from outside, over the structure
+constexpr double kWatchingShare = 0.5;  // of the height: the view that watches from outside, over the structure
+constexpr double kLeastWatchingShare = 0.3;
 constexpr double kWatchingStepsShare = 0.42;  // the same while a frame is stepped, which the listing tells
 
 void setLetters(QWidget& widget, int pixels, bool bold = false) {
@@ -73,7 +74,7 @@ void LectureWindow::arrange() {
     m_foot->setGeometry(0, height() - foot, width(), foot);
     m_foot->layout()->activate();
     int bottom = height() - foot;
-    m_legend->explain(views(), scaled(kSmallestLetters));
+    m_legend->explain(views(), scaled(kSmallestLetters), moreToExplain());
     m_legend->setVisible(!m_blank && !m_legend->empty());
     if (!m_legend->empty()) {
         const int high = m_legend->layout()->heightForWidth(across) + scaled(kPaneGap);
@@ -90,10 +91,40 @@ void LectureWindow::arrange() {
     arrangePanes(QRect(0, top, width(), std::max(1, bottom - top)));
 }
 
+bool LectureWindow::watched() const {
+    const std::vector<int> shown = views();
+    return shown.size() == 2 && m_session.culledBy(shown[0]) == m_session.culledBy(shown[1]);
+}
+
+bool LectureWindow::showsStructure() const { return m_panes.size() == 1 || watched() || stepped(); }
+
+LegendStrip::More LectureWindow::moreToExplain() const {
+    LegendStrip::More more;
+    if (m_session.question()) return more;
+    const auto add = [&](const MapPanel& panel) {
+        const std::vector<TriangleState> states = panel.map().states();
+        more.states.insert(more.states.end(), states.begin(), states.end());
+        for (const MapLegend::Entry& line : panel.map().lines())
+            if (std::ranges::none_of(more.lines, [&](const MapLegend::Entry& other) { return other.words == line.words; }))
+                more.lines.push_back(line);
+    };
+    if (showsStructure()) {
+        more.states = m_structure->statesOfCurve();
+        if (!m_structure->map().isHidden()) add(m_structure->map());
+    }
+    for (const ViewPane* pane : m_panes)
+        if (const auto* map = qobject_cast<const MapPanel*>(pane->strip())) add(*map);
+    return more;
+}
+
+void LectureWindow::fit() {
+    const bool room = m_structure->leastBelowMap(m_structure->width()) != m_belowMap;
+    if (!m_panes.empty() && (room || m_legend->outdated(views(), moreToExplain()))) arrange();
+}
+
 void LectureWindow::arrangePanes(const QRect& place) {
     const std::vector<int> shown = views();
-    const bool watched = shown.size() == 2 && m_session.culledBy(shown[0]) == m_session.culledBy(shown[1]);
-    const bool structure = shown.size() == 1 || watched || stepped();
+    const bool watched = this->watched(), structure = showsStructure();
     const bool map = structure && !m_structure->map().isHidden();
     const int margin = scaled(kPageMargin);
     // One picture is as wide as its height lets it be. What tells of it has the rest: lines of a listing stay lines.
@@ -123,7 +154,10 @@ void LectureWindow::arrangePanes(const QRect& place) {
             m_panes[1]->setGeometry(inside.left(), inside.top(), across, strip);
             besideMap = across + scaled(kPaneGap);
         } else {
-            const int watching = int((stepped() ? kWatchingStepsShare : kWatchingShare) * place.height());
+            // The lines of a listing are read, too: they come before the height of the picture.
+            const int most = int((stepped() ? kWatchingStepsShare : kWatchingShare) * place.height());
+            const int rest = inside.height() - kPaneGap - m_belowMap;
+            const int watching = std::min(most, std::max(rest, int(kLeastWatchingShare * place.height())));
             m_panes[1]->setGeometry(inside.left(), inside.top(), inside.width(), watching);
             inside.setTop(inside.top() + watching + kPaneGap);
         }
@@ -137,6 +171,8 @@ void LectureWindow::arrangePanes(const QRect& place) {
     m_structure->setAudienceMap(strip, besideMap);
     m_structure->setVisible(structure && !m_blank && !m_session.question());
     m_structure->setGeometry(inside);
+    // Now, and not with the next event: what stands beside the map has its place now, too.
+    m_structure->layout()->activate();
     // The view beside the map stands in the structure's free room.
     m_structure->lower();
 }

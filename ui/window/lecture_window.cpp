@@ -80,10 +80,8 @@ void LectureWindow::follow() {
     for (const auto signal : {&Session::activeViewChanged, &Session::questionChanged})
         connect(&m_session, signal, this, &LectureWindow::refresh);
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
-    const auto fit = [this] {
-        if (m_structure->leastBelowMap(m_structure->width()) != m_belowMap) arrange();
-    };
-    connect(m_structure, &StructurePanel::needsChanged, this, fit, Qt::QueuedConnection);
+    connect(m_structure, &StructurePanel::needsChanged, this, &LectureWindow::fit, Qt::QueuedConnection);
+    connect(&m_structure->map(), &MapPanel::shownChanged, this, &LectureWindow::fit, Qt::QueuedConnection);
 }
 
 void LectureWindow::makeFoot() {
@@ -149,6 +147,10 @@ void LectureWindow::borrow() {
             m_panes.push_back(pane);
         }
     }
+    for (const ViewPane* pane : m_panes)
+        if (const auto* map = qobject_cast<const MapPanel*>(pane->strip()))
+            connect(map, &MapPanel::shownChanged, this, &LectureWindow::fit,
+                    Qt::ConnectionType(Qt::QueuedConnection | Qt::UniqueConnection));
     for (ViewPane* pane : m_panes) pane->setVisible(!m_blank);
     m_spot->raise();
     refresh();

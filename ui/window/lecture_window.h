@@ -70,6 +70,13 @@ private:
     void reveal(bool revealed);
     void arrange();
     void arrangePanes(const QRect& place);
+    /// Whether the first view is watched by the second one, and nothing else is shown.
+    [[nodiscard]] bool watched() const;
+    [[nodiscard]] bool showsStructure() const;
+    /// What the legend explains besides the colours of the views.
+    [[nodiscard]] LegendStrip::More moreToExplain() const;
+    /// Arranges the window where something asks for another room than it has, or for other words.
+    void fit();
     void refresh();
     void showFigures();
     [[nodiscard]] std::vector<int> wantedViews() const;

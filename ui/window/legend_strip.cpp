@@ -14,7 +14,8 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kLegendGap = 18, kRowGap = 4;
-constexpr int kLeastSwatch = 12;  // pixels
+constexpr int kLettersOfLecture = 20;  // pixels, at 1280 × 720
+constexpr int kLeastSwatch = 12;       // pixels
 
 /// A rectangle in the colour that is explained.
 class LegendSwatch : public QWidget {
@@ -39,6 +40,29 @@ private:
     QColor m_colour;
 };
 
+/// A line or a mark of a map.
+class SymbolSwatch : public QWidget {
+public:
+    SymbolSwatch(MapSymbol symbol, const QFont& letters, QWidget* parent)
+        : QWidget(parent), m_symbol(symbol), m_unit(unitOfLetters(QFontMetricsF(letters))) {
+        setFixedSize(int(kSymbolWidth * m_unit), QFontMetrics(letters).height());
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        MapColours colours(palette());
+        colours.unit = m_unit;
+        paintSymbol(painter, rect(), m_symbol, colours);
+    }
+
+private:
+    static constexpr double kSymbolWidth = 24.0;
+    MapSymbol m_symbol;
+    double m_unit;
+};
+
 }  // namespace
 
 LegendStrip::LegendStrip(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
@@ -46,11 +70,12 @@ LegendStrip::LegendStrip(Session& session, QWidget* parent) : QWidget(parent), m
     rows->setContentsMargins(0, 0, 0, 0);
 }
 
-std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& views, bool bars) const {
+std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& views, const More& more) const {
     std::array<bool, kTriangleStateCount> states{};
     // All that a bar may have, so that the row keeps its height while the views move.
-    if (bars && !m_session.question()) states.fill(true);
+    if (more.bars && !m_session.question()) states.fill(true);
     states[size_t(TriangleState::Undecided)] = false;
+    for (const TriangleState state : more.states) states[size_t(state)] = true;
     bool planes = false, marks = false, differences = false;
     for (const int view : views) {
         const ViewSetup& setup = m_session.setup(view);
@@ -78,12 +103,13 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     if (planes)
         for (size_t plane = 0; plane < kFrustumPlaneCount; ++plane)
             entries.push_back({translated(planeName(FrustumPlane(plane))), {}, planeColour(FrustumPlane(plane), palette())});
+    for (const MapLegend::Entry& line : more.lines) entries.push_back({line.words, {}, {}, line.symbol});
     return entries;
 }
 
-void LegendStrip::explain(const std::vector<int>& views, int letters, bool bars) {
-    std::vector<Entry> entries = entriesOf(views, bars);
-    if (entries == m_entries && letters == m_letters) return;
+bool LegendStrip::explain(const std::vector<int>& views, int letters, const More& more) {
+    std::vector<Entry> entries = entriesOf(views, more);
+    if (entries == m_entries && letters == m_letters) return false;
     m_entries = std::move(entries);
     m_letters = letters;
     for (QWidget* former : findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) delete former;
@@ -92,9 +118,11 @@ void LegendStrip::explain(const std::vector<int>& views, int letters, bool bars)
     for (const Entry& entry : m_entries) {
         auto* item = new QWidget(this);
         auto* row = new QHBoxLayout(item);
-        row->setContentsMargins(0, 0, 0, 0);
+        // Larger letters stand farther apart.
+        row->setContentsMargins(0, 0, std::max(0, kLegendGap * (letters - kLettersOfLecture) / kLettersOfLecture), 0);
         row->setSpacing(letters / 3);
-        row->addWidget(new LegendSwatch(entry.state, entry.colour, std::max(kLeastSwatch, letters * 3 / 4), item));
+        row->addWidget(entry.symbol ? static_cast<QWidget*>(new SymbolSwatch(*entry.symbol, font, item))
+                                    : new LegendSwatch(entry.state, entry.colour, std::max(kLeastSwatch, letters * 3 / 4), item));
         auto* words = new QLabel(entry.words, item);
         words->setFont(font);
         row->addWidget(words);
@@ -102,6 +130,7 @@ void LegendStrip::explain(const std::vector<int>& views, int letters, bool bars)
         item->show();
     }
     updateGeometry();
+    return true;
 }
 
 QStringList LegendStrip::words() const {

@@ -3,6 +3,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/plots/map_symbols.h"
 #include "ui/session/session.h"
 
 namespace cullscope::ui {
@@ -14,8 +15,18 @@ class LegendStrip : public QWidget {
 public:
     explicit LegendStrip(Session& session, QWidget* parent = nullptr);
 
-    /// Explains the colours of these views in letters of so many pixels; `bars`: and those of the bars below their pictures.
-    void explain(const std::vector<int>& views, int letters, bool bars = false);
+    /// What is explained besides the pictures of views.
+    struct More {
+        bool bars = false;                      ///< the bars below pictures
+        std::vector<TriangleState> states{};    ///< of a map's cells or a curve's areas
+        std::vector<MapLegend::Entry> lines{};  ///< of maps
+    };
+    /// Explains the colours of these views in letters of so many pixels, and more. Returns whether anything is new.
+    bool explain(const std::vector<int>& views, int letters, const More& more);
+    /// Whether explain() would change the strip.
+    [[nodiscard]] bool outdated(const std::vector<int>& views, const More& more) const {
+        return entriesOf(views, more) != m_entries;
+    }
     [[nodiscard]] bool empty() const { return m_entries.empty(); }
     /// The words, for tests.
     [[nodiscard]] QStringList words() const;
@@ -24,11 +35,12 @@ private:
     struct Entry {
         QString words;
         std::optional<TriangleState> state;  ///< painted as in pictures
-        QColor colour;                       ///< without a state
+        QColor colour{};                     ///< without a state or symbol
+        std::optional<MapSymbol> symbol{};   ///< painted as on maps
 
         bool operator==(const Entry&) const = default;
     };
-    [[nodiscard]] std::vector<Entry> entriesOf(const std::vector<int>& views, bool bars) const;
+    [[nodiscard]] std::vector<Entry> entriesOf(const std::vector<int>& views, const More& more) const;
 
     Session& m_session;
     std::vector<Entry> m_entries;

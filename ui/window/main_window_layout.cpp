@@ -44,7 +44,7 @@ void MainWindow::wireLegend() {
 /// Where the panel "Inside" with its legend is folded or floats, a row below the views explains their colours.
 void MainWindow::explainColours() {
     const bool folded = m_floatingDocks->floating() || !m_dock->isVisibleTo(this);
-    m_colours->explain(m_session.shownViews(), kLegendLetters, true);
+    m_colours->explain(m_session.shownViews(), kLegendLetters, {.bars = true});
     m_colours->setVisible(folded && !m_lecture && m_session.opened() && !m_colours->empty());
 }
 

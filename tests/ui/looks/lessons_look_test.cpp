@@ -1,16 +1,93 @@
 // Every step of every lesson in the window and in the lecture, in every language and at two sizes.
 #include <QHeaderView>
+#include <QTabBar>
+#include <QTableView>
 #include <QTreeView>
 
+#include "core/visibility/registry.h"
 #include "tests/support/long_mode.h"
 #include "tests/ui/lesson_window.h"
 #include "tests/ui/looks/kept_picture.h"
 #include "tests/ui/looks/shown_texts.h"
+#include "ui/text/translated.h"
 
 namespace cullscope::ui::lessons_look_test {
 namespace {
 
-TEST_F(Lessons, nothingIsCutInAnyLanguageAndTheLectureHasNoSmallLetters) {
+/// Pictures to look at show what a lecture shows a moment later, too: colours and legends of a measured frame.
+Session::Options options() { return test::longMode() ? sessionOptions(true) : withoutMeasuring(); }
+
+struct LooksOfLessons : Lessons {
+    LooksOfLessons() : Lessons(options()) {}
+
+    [[nodiscard]] bool settled() {
+        return onScreen() && !session.pictures()->busy() && (!test::longMode() || session.metricsSettled());
+    }
+    void settle() {
+        // Other words ask for other room, layer by layer.
+        constexpr int kLayers = 5;
+        do {
+            ASSERT_TRUE(waitUntil([this] { return settled(); }));
+            for (int layer = 0; layer < kLayers; ++layer) QApplication::processEvents();
+        } while (!settled());
+    }
+};
+
+QRect placeIn(const QWidget& window, const QWidget& widget) { return {widget.mapTo(&window, QPoint()), widget.size()}; }
+
+/// What lies over the tabs of the structure.
+QStringList coveredTabs(LectureWindow& lecture) {
+    QStringList covered;
+    if (!lecture.structure().isVisible()) return covered;
+    const QRect tabs = placeIn(lecture, *lecture.structure().findChild<QTabBar*>());
+    QList<QWidget*> others = lecture.findChildren<QWidget*>(Qt::FindDirectChildrenOnly);
+    others.removeOne(&lecture.structure());
+    others << &lecture.structure().map();
+    for (const QWidget* other : others)
+        if (other->isVisible() && placeIn(lecture, *other).intersects(tabs))
+            covered << QStringLiteral("%1 covers the tabs").arg(QString::fromLatin1(other->metaObject()->className()));
+    return covered;
+}
+
+/// The lines of a visible listing that are cut, and the current one where it is out of sight. What is below the last whole line
+/// has one colour.
+QStringList cutLines(StructurePanel& structure) {
+    QStringList cut;
+    for (ListingView* lines : structure.findChildren<ListingView*>()) {
+        if (!lines->isVisible()) continue;
+        const auto& model = dynamic_cast<const ListingModel&>(*lines->model());
+        const QRect seen = lines->viewport()->rect();
+        int end = 0;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const int top = lines->rowViewportPosition(row), below = top + lines->rowHeight(row);
+            if (top >= 0 && below <= seen.height()) end = std::max(end, below);
+            if (row == model.currentRow() && (top < 0 || below > seen.height()))
+                cut << QStringLiteral("the current line %1 is out of sight").arg(row + 1);
+        }
+        if (lines->rowAt(0) >= 0 && lines->rowViewportPosition(lines->rowAt(0)) != 0)
+            cut << QStringLiteral("the first line is cut");
+        const QImage rest = lines->viewport()->grab().toImage().copy(0, end, seen.width(), seen.height() - end);
+        for (int y = 0; y < rest.height(); ++y)
+            for (int x = 0; x < rest.width(); ++x)
+                if (rest.pixel(x, y) != lines->palette().color(QPalette::Base).rgb())
+                    return cut << QStringLiteral("a line is cut at the lower end");
+    }
+    return cut;
+}
+
+/// The views whose header does not have their strategy's name.
+QStringList namelessViews(LectureWindow& lecture, Session& session) {
+    QStringList nameless;
+    for (ViewPane* pane : lecture.findChildren<ViewPane*>()) {
+        const QString name = translated(findStrategy(session.slot(session.culledBy(pane->view())).id()).info.name);
+        const ViewHeader& header = pane->header();
+        if (header.isVisible() && (!header.shownFirstLine().contains(name) || header.elided()))
+            nameless << header.shownFirstLine();
+    }
+    return nameless;
+}
+
+TEST_F(LooksOfLessons, nothingIsCutInAnyLanguageAndTheLectureHasNoSmallLetters) {
     constexpr int kSmallest = 20;  // pixels
     for (const QString& name : LessonPlayer::known()) {
         begin(name);
@@ -31,9 +108,11 @@ TEST_F(Lessons, nothingIsCutInAnyLanguageAndTheLectureHasNoSmallLetters) {
             ASSERT_FALSE(HasFatalFailure());
             for (const QSize& size : {QSize(1280, 720), QSize(1920, 1080)}) {
                 lecture->resize(size);
+                settle();
+                ASSERT_FALSE(HasFatalFailure());
                 for (const Language::Known& known : Language::known()) {
                     language.use(known.id);
-                    QApplication::processEvents();
+                    settle();
                     const std::string where = name.toStdString() + ", step " + std::to_string(step + 1) + ", " +
                                               known.id.toStdString() + ", " + std::to_string(size.height());
                     QStringList cut;
@@ -46,6 +125,9 @@ TEST_F(Lessons, nothingIsCutInAnyLanguageAndTheLectureHasNoSmallLetters) {
                             if (!tree->isColumnHidden(column) && needed > tree->header()->sectionSize(column)) cut << title;
                         }
                     EXPECT_EQ(cut, QStringList()) << where;
+                    EXPECT_EQ(coveredTabs(*lecture).join(QLatin1Char('\n')).toStdString(), "") << where;
+                    EXPECT_EQ(cutLines(lecture->structure()).join(QLatin1Char('\n')).toStdString(), "") << where;
+                    EXPECT_EQ(namelessViews(*lecture, session).join(QLatin1Char('\n')).toStdString(), "") << where;
                     // 400 pictures to look at take longer than all that is checked.
                     if (test::longMode())
                         lecture->grab().save(
