@@ -4063,7 +4063,7 @@
     </message>
     <message>
         <source>octrees</source>
-        <translation>팔진트리</translation>
+        <translation>옥트리</translation>
     </message>
     <message>
         <source>Largest value %1 ÷ distance %2 = %3 &lt; %4: its components count as too small.</source>
@@ -4079,7 +4079,7 @@
     </message>
     <message>
         <source>%1 components of the outline are in octree L, %2 others in octree S.</source>
-        <translation>윤곽의 구성 요소 %1개는 팔진트리 L에, 나머지 %2개는 팔진트리 S에 있습니다.</translation>
+        <translation>윤곽의 구성 요소 %1개는 옥트리 L에, 나머지 %2개는 옥트리 S에 있습니다.</translation>
     </message>
     <message>
         <source>The component &quot;%1&quot; has %2 triangles; it is drawn with its leaf or not at all.</source>
@@ -4091,11 +4091,11 @@
     </message>
     <message>
         <source>Octree %1: %2 components</source>
-        <translation>팔진트리 %1: 구성 요소 %2개</translation>
+        <translation>옥트리 %1: 구성 요소 %2개</translation>
     </message>
     <message>
         <source>for each node of octrees L and S</source>
-        <translation>팔진트리 L과 S의 각 노드에 대해</translation>
+        <translation>옥트리 L과 S의 각 노드에 대해</translation>
     </message>
     <message>
         <source>test its box against the six planes</source>
@@ -4131,11 +4131,11 @@
     </message>
     <message>
         <source>Levels of octree L, which holds the outline; the root is one of them.</source>
-        <translation>윤곽을 담는 팔진트리 L의 단계 수(루트 포함).</translation>
+        <translation>윤곽을 담는 옥트리 L의 단계 수(루트 포함).</translation>
     </message>
     <message>
         <source>Levels of octree S, which holds the details; the root is one of them.</source>
-        <translation>세부를 담는 팔진트리 S의 단계 수(루트 포함).</translation>
+        <translation>세부를 담는 옥트리 S의 단계 수(루트 포함).</translation>
     </message>
     <message>
         <source>Which box of a node is tested and has the distance; the paper can be read both ways.</source>
@@ -4147,7 +4147,7 @@
     </message>
     <message>
         <source>the octree&apos;s cell, over which components reach</source>
-        <translation>팔진트리의 칸(구성 요소가 넘어설 수 있음)</translation>
+        <translation>옥트리의 칸(구성 요소가 넘어설 수 있음)</translation>
     </message>
     <message>
         <source>What is drawn while the camera does not move.</source>
@@ -4167,7 +4167,7 @@
     </message>
     <message>
         <source>Leaves out groups of components that are too small for their distance; a plant&apos;s outline stays.</source>
-        <translation>거리에 비해 너무 작은 구성 요소 묶음을 제외합니다. 플랜트의 윤곽은 남습니다.</translation>
+        <translation>거리에 비해 너무 작은 구성 요소 그룹을 제외합니다. 플랜트의 윤곽은 남습니다.</translation>
     </message>
     <message>
         <source>components</source>
@@ -4183,15 +4183,15 @@
     </message>
     <message>
         <source>With the small components of its group it covers at most %1 pixels, no more than the %2 that may be lost.</source>
-        <translation>묶음의 작은 구성 요소들과 함께 덮는 픽셀은 많아야 %1개로, 잃어도 되는 %2개를 넘지 않습니다.</translation>
+        <translation>그룹의 작은 구성 요소들과 함께 덮는 픽셀은 많아야 %1개로, 잃어도 되는 %2개를 넘지 않습니다.</translation>
     </message>
     <message>
         <source>With the small components of its group it covers up to %1 pixels, more than the %2 that may be lost.</source>
-        <translation>묶음의 작은 구성 요소들과 함께 덮는 픽셀은 %1개까지로, 잃어도 되는 %2개보다 많습니다.</translation>
+        <translation>그룹의 작은 구성 요소들과 함께 덮는 픽셀은 %1개까지로, 잃어도 되는 %2개보다 많습니다.</translation>
     </message>
     <message>
         <source>Its box covers at most %1 pixels; %2 may be lost of a group.</source>
-        <translation>상자가 덮는 픽셀은 많아야 %1개이고, 한 묶음에서 %2개를 잃어도 됩니다.</translation>
+        <translation>상자가 덮는 픽셀은 많아야 %1개이고, 한 그룹에서 %2개를 잃어도 됩니다.</translation>
     </message>
     <message>
         <source>Of the component &quot;%1&quot; with %2 triangles the pixels that its box covers are counted.</source>
@@ -4199,11 +4199,11 @@
     </message>
     <message>
         <source>It lies in a group of %1 components, which covers too many pixels to be left out as a whole.</source>
-        <translation>구성 요소 %1개의 묶음에 있으며, 이 묶음은 통째로 제외하기에는 너무 많은 픽셀을 덮습니다.</translation>
+        <translation>구성 요소 %1개의 그룹에 있으며, 이 그룹은 통째로 제외하기에는 너무 많은 픽셀을 덮습니다.</translation>
     </message>
     <message>
         <source>for each group: planes and axes</source>
-        <translation>각 묶음에 대해: 평면과 축</translation>
+        <translation>각 그룹에 대해: 평면과 축</translation>
     </message>
     <message>
         <source>n = pixels that its box covers</source>
@@ -4211,7 +4211,7 @@
     </message>
     <message>
         <source>if n ≤ pixels: leave the group out</source>
-        <translation>n ≤ pixels이면 묶음을 제외</translation>
+        <translation>n ≤ pixels이면 그룹을 제외</translation>
     </message>
     <message>
         <source>for each component: n of its box</source>
@@ -4235,7 +4235,7 @@
     </message>
     <message>
         <source>How many pixels a group of components may lose. With 0 nothing visible is lost.</source>
-        <translation>구성 요소 묶음이 잃어도 되는 픽셀 수. 0이면 보이는 것을 잃지 않습니다.</translation>
+        <translation>구성 요소 그룹이 잃어도 되는 픽셀 수. 0이면 보이는 것을 잃지 않습니다.</translation>
     </message>
     <message>
         <source>Bounded small-feature culling</source>
@@ -4243,7 +4243,7 @@
     </message>
     <message>
         <source>Leaves out small components where the pixels that a group may lose by it stay under a bound.</source>
-        <translation>한 묶음이 잃을 수 있는 픽셀이 한계 아래인 곳에서 작은 구성 요소를 제외합니다.</translation>
+        <translation>한 그룹이 잃을 수 있는 픽셀이 한계 아래인 곳에서 작은 구성 요소를 제외합니다.</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box, then each of its %2 triangles by its size.</source>
@@ -4327,7 +4327,7 @@
     </message>
     <message>
         <source>It is left out with its whole group (objects: %1): %2.</source>
-        <translation>묶음 전체와 함께 제외됩니다(물체 %1개): %2.</translation>
+        <translation>그룹 전체와 함께 제외됩니다(물체 %1개): %2.</translation>
     </message>
     <message>
         <source>What lies in a plane hangs at the plane&apos;s node, in a row &quot;in&quot; with the plane&apos;s name.</source>

@@ -54,6 +54,21 @@ TEST_F(ObjectNames, eachStandsWhereItsOwnPolygonIsSeen) {
         const Viewport size = session.picture(0)->request.size;
         const std::optional<Vec3> surface = view.surfaceAt(layout.positionOf({name.place.x(), size.height - name.place.y()}));
         ASSERT_TRUE(surface) << name.text.toStdString() << " stands beside everything";
+        // The letters are painted there, and not above it on another polygon.
+        const auto painted = [&](const std::vector<PlacedName>& names) {
+            PictureExtras extras = view.extras();
+            extras.names = names;
+            QImage image(size.width, size.height, QImage::Format_RGB32);
+            QPainter painter(&image);
+            paintPicture(painter, image.rect(), *session.picture(0), extras);
+            return image;
+        };
+        const QImage with = painted({name}), without = painted({});
+        QRect letters;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x)
+                if (with.pixel(x, y) != without.pixel(x, y)) letters |= QRect(x, y, 1, 1);
+        EXPECT_TRUE(letters.contains(name.place.toPoint())) << name.text.toStdString();
         for (size_t i = 0; i < scene.instances().size(); ++i) {
             const Box3 box = scene.instanceBox(i);
             const Vec3 margin(0.05);

@@ -26,17 +26,19 @@ void ListingView::showCurrent() {
     if (m_model.currentRow() >= 0) scrollTo(m_model.index(m_model.currentRow(), ListingModel::Mark), PositionAtCenter);
 }
 
-int ListingView::endOfWholeLines() const {
-    int end = 0;
+QRect ListingView::wholeLines() const {
+    const int high = viewport()->height();
+    int begin = high, end = 0;
     for (int row = 0; row < m_model.rowCount(); ++row) {
-        const int below = rowViewportPosition(row) + rowHeight(row);
-        if (below <= viewport()->height()) end = std::max(end, below);
+        const int top = rowViewportPosition(row), below = top + rowHeight(row);
+        if (top >= 0) begin = std::min(begin, top);
+        if (below <= high) end = std::max(end, below);
     }
-    return end;
+    return {0, begin, viewport()->width(), std::max(0, end - begin)};
 }
 
 void ListingView::paintEvent(QPaintEvent* event) {
-    QPaintEvent whole(event->region() & QRect(0, 0, viewport()->width(), endOfWholeLines()));
+    QPaintEvent whole(event->region() & wholeLines());
     QTableView::paintEvent(&whole);
 }
 

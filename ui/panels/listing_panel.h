@@ -8,8 +8,8 @@
 
 namespace cullscope::ui {
 
-/// The lines of a listing. The current line stays in sight, and a line that does not fit at the lower end is not painted: half a
-/// line cannot be read.
+/// The lines of a listing. The current line stays in sight, and a line that does not fit is not painted: half a line cannot be
+/// read.
 class ListingView : public QTableView {
     Q_OBJECT
 
@@ -25,8 +25,8 @@ protected:
 
 private:
     void showCurrent();
-    /// The lower end of the last line that fits, in the viewport.
-    [[nodiscard]] int endOfWholeLines() const;
+    /// The part of the viewport that has whole lines. Scrolled to its end, the view has half a line at the top.
+    [[nodiscard]] QRect wholeLines() const;
 
     ListingModel& m_model;
     QSize m_laidOut;  ///< the heights of all lines and of the viewport when the current line was last brought into sight

@@ -1,6 +1,7 @@
 #include "ui/panels/long_list_view.h"
 
 #include <QHeaderView>
+#include <QPaintEvent>
 
 namespace cullscope::ui {
 
@@ -26,6 +27,19 @@ void LongListView::expandFirstLevels(int rows) {
         for (const QModelIndex& parent : level) expand(parent);
         level = next;
     }
+}
+
+void LongListView::setWholeRows(bool whole) {
+    m_wholeRows = whole;
+    viewport()->update();
+}
+
+void LongListView::paintEvent(QPaintEvent* event) {
+    QRect whole = viewport()->rect();
+    if (const QModelIndex last = indexAt({1, whole.bottom()}); m_wholeRows && last.isValid())
+        if (const QRect row = visualRect(last); row.bottom() > whole.bottom()) whole.setBottom(row.top() - 1);
+    QPaintEvent part(event->region() & whole);
+    QTreeView::paintEvent(&part);
 }
 
 void LongListView::dataChanged(const QModelIndex& topLeft, const QModelIndex& bottomRight, const QList<int>& roles) {

@@ -15,7 +15,16 @@ public:
     /// Expands as many complete levels of the tree as have together at most `rows` rows.
     void expandFirstLevels(int rows);
 
+    /// Whether a row that does not fit at the lower end is left out, as for an audience, which cannot scroll.
+    void setWholeRows(bool whole);
+
     void dataChanged(const QModelIndex& topLeft, const QModelIndex& bottomRight, const QList<int>& roles = {}) override;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    bool m_wholeRows = false;
 };
 
 }  // namespace cullscope::ui

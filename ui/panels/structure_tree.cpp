@@ -60,6 +60,7 @@ void StructureTree::setUpView() {
 void StructureTree::fitLetters() {
     const double scale = double(QFontInfo(font()).pixelSize()) / QFontInfo(QApplication::font()).pixelSize();
     m_large = scale > kUsualLetters;
+    m_view->setWholeRows(m_large);
     for (int column = StructureModel::Triangles; column < StructureModel::ColumnCount; ++column)
         m_view->setColumnWidth(column, int(kWidths[size_t(column)] * scale));
 }

@@ -49,6 +49,16 @@ QStringList coveredTabs(LectureWindow& lecture) {
     return covered;
 }
 
+/// Whether a list shows nothing between two heights.
+bool isPlain(QAbstractItemView& list, int from, int to) {
+    const QImage all = list.viewport()->grab().toImage();
+    const QRgb ground = list.palette().color(QPalette::Base).rgb();
+    for (int y = from; y < std::min(to, all.height()); ++y)
+        for (int x = 0; x < all.width(); ++x)
+            if (all.pixel(x, y) != ground) return false;
+    return true;
+}
+
 /// The lines of a visible listing that are cut, and the current one where it is out of sight. What is below the last whole line
 /// has one colour.
 QStringList cutLines(StructurePanel& structure) {
@@ -57,20 +67,23 @@ QStringList cutLines(StructurePanel& structure) {
         if (!lines->isVisible()) continue;
         const auto& model = dynamic_cast<const ListingModel&>(*lines->model());
         const QRect seen = lines->viewport()->rect();
-        int end = 0;
+        int begin = seen.height(), end = 0;
         for (int row = 0; row < model.rowCount(); ++row) {
             const int top = lines->rowViewportPosition(row), below = top + lines->rowHeight(row);
-            if (top >= 0 && below <= seen.height()) end = std::max(end, below);
+            if (top >= 0) begin = std::min(begin, top);
+            if (below <= seen.height()) end = std::max(end, below);
             if (row == model.currentRow() && (top < 0 || below > seen.height()))
                 cut << QStringLiteral("the current line %1 is out of sight").arg(row + 1);
         }
-        if (lines->rowAt(0) >= 0 && lines->rowViewportPosition(lines->rowAt(0)) != 0)
-            cut << QStringLiteral("the first line is cut");
-        const QImage rest = lines->viewport()->grab().toImage().copy(0, end, seen.width(), seen.height() - end);
-        for (int y = 0; y < rest.height(); ++y)
-            for (int x = 0; x < rest.width(); ++x)
-                if (rest.pixel(x, y) != lines->palette().color(QPalette::Base).rgb())
-                    return cut << QStringLiteral("a line is cut at the lower end");
+        if (!isPlain(*lines, 0, begin)) cut << QStringLiteral("a line is cut at the upper end");
+        if (!isPlain(*lines, end, seen.height())) cut << QStringLiteral("a line is cut at the lower end");
+    }
+    for (LongListView* rows : structure.findChildren<LongListView*>()) {
+        const int high = rows->viewport()->height();
+        const QModelIndex last = rows->indexAt({1, high - 1});
+        if (rows->isVisible() && last.isValid() && rows->visualRect(last).bottom() >= high &&
+            !isPlain(*rows, rows->visualRect(last).top(), high))
+            cut << QStringLiteral("a row of the tree is cut at the lower end");
     }
     return cut;
 }
