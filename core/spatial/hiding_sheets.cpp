@@ -68,7 +68,8 @@ SightRoom::SightRoom(const Scene& scene)
 
 bool SightRoom::holds(const View& view) const {
     const Frustum& frustum = view.frustum();
-    const double slant = std::sqrt(1.0 + frustum.tanHalfWidth * frustum.tanHalfWidth + frustum.tanHalfHeight * frustum.tanHalfHeight);
+    const double slant =
+        std::sqrt(1.0 + frustum.tanHalfWidth * frustum.tanHalfWidth + frustum.tanHalfHeight * frustum.tanHalfHeight);
     return !frustum.parallel() && frustum.nearDistance >= nearest && frustum.nearDistance * slant < reach &&
            2.0 * frustum.tanHalfHeight / view.viewport().height <= kPixel;
 }
@@ -112,9 +113,7 @@ bool HidingSheets::hiddenByOneSheet(const Box3& from, const Box3& box, Work& wor
     const Box3 seen = grown(box, sideways);
     const double depths = kDepthRoom * distance * distance / m_diagonal;
     // Not the centres: lines through these meet the edges of many models.
-    const auto inside = [](const Box3& of, double x, double y, double z) {
-        return of.min + (of.max - of.min) * Vec3(x, y, z);
-    };
+    const auto inside = [](const Box3& of, double x, double y, double z) { return of.min + (of.max - of.min) * Vec3(x, y, z); };
     const Pair pair{grown(from, m_room.reach + m_rounding), grown(seen, depths), Shaft(grown(from, m_rounding), seen),
                     inside(from, 0.4861, 0.5273, 0.5119), inside(box, 0.5231, 0.4877, 0.5097)};
     const Vec3 line = pair.to - pair.from;
@@ -155,7 +154,8 @@ bool HidingSheets::usable(uint32_t triangle, const Pair& pair) const {
     if (mayTouch(corners, pair.near) || mayTouch(corners, pair.clear)) return false;
     if (!m_dropsBacks[of.instance]) return true;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 at((corner & 1) != 0 ? pair.near.max.x : pair.near.min.x, (corner & 2) != 0 ? pair.near.max.y : pair.near.min.y,
+        const Vec3 at((corner & 1) != 0 ? pair.near.max.x : pair.near.min.x,
+                      (corner & 2) != 0 ? pair.near.max.y : pair.near.min.y,
                       (corner & 4) != 0 ? pair.near.max.z : pair.near.min.z);
         if (sideOfPlane(corners[0], corners[1], corners[2], at) <= 0) return false;
     }

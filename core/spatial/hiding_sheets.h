@@ -67,7 +67,7 @@ private:
     const SceneRays& m_rays;
     SightRoom m_room;
     double m_diagonal = 0.0;
-    double m_rounding = 0.0;        ///< of OpenGL's positions, besides what grows with the distance
+    double m_rounding = 0.0;         ///< of OpenGL's positions, besides what grows with the distance
     std::vector<bool> m_dropsBacks;  ///< by instance
 };
 

@@ -50,10 +50,10 @@ void WeldedTriangles::addVertices(const Scene& scene, const Progress& progress, 
         for (size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
             // 0 and −0 are one place.
             const Vec3f position = mesh.positions()[vertex] + Vec3f(0.0f);
-            corners.push_back({placing,
-                               {std::bit_cast<uint32_t>(position.x), std::bit_cast<uint32_t>(position.y),
-                                std::bit_cast<uint32_t>(position.z)},
-                               uint32_t(corners.size())});
+            corners.push_back(
+                {placing,
+                 {std::bit_cast<uint32_t>(position.x), std::bit_cast<uint32_t>(position.y), std::bit_cast<uint32_t>(position.z)},
+                 uint32_t(corners.size())});
             places.push_back(Vec3(placed * Vec4(mesh.position(vertex), 1.0)));
         }
     }

@@ -153,8 +153,8 @@ private:
         return std::nullopt;
     }
 
-    /// The level's potentially visible set: a region for each leaf of its tree. What moves belongs to no leaf in the file, so it may
-    /// be seen from everywhere. Null where the level was compiled without visibility.
+    /// The level's potentially visible set: a region for each leaf of its tree. What moves belongs to no leaf in the file, so it
+    /// may be seen from everywhere. Null where the level was compiled without visibility.
     [[nodiscard]] RegionSetsPointer visibility() const {
         if (m_level.clusters == 0) return nullptr;
         std::vector<RegionSets::Node> nodes;

@@ -51,16 +51,19 @@ struct LastCell : ViewState {
 /// Why a frame draws all that is in the frustum, as its sentence; null: the cell's set holds.
 const char* withoutSet(const FrameContext& frame, const CellSets& structure) {
     if (!structure.sets)
-        return CULLSCOPE_TR("The scene has no view cells: it has less than two objects, or too many triangles. Each object may be "
-                            "visible.");
+        return CULLSCOPE_TR(
+            "The scene has no view cells: it has less than two objects, or too many triangles. Each object may be "
+            "visible.");
     if (frame.facing() == Facing::Front && structure.facing != Facing::Front)
-        return CULLSCOPE_TR("The sets are made for surfaces that hide from both sides, and this frame draws fronts alone: each "
-                            "object may be visible.");
+        return CULLSCOPE_TR(
+            "The sets are made for surfaces that hide from both sides, and this frame draws fronts alone: each "
+            "object may be visible.");
     if (!structure.sets->regionAt(frame.view().eye()))
         return CULLSCOPE_TR("The eye lies in no view cell: each object may be visible.");
     if (structure.proven && !structure.room.holds(frame.view()))
-        return CULLSCOPE_TR("The near plane or the pixels of this view are beyond what the proofs allow for: each object may be "
-                            "visible.");
+        return CULLSCOPE_TR(
+            "The near plane or the pixels of this view are beyond what the proofs allow for: each object may be "
+            "visible.");
     return nullptr;
 }
 
@@ -81,7 +84,8 @@ public:
             last.objects = m_structure.sets->objectsOf(region);
             last.region = region;
         }
-        sayBegin(m_frame, uint8_t(PvsLine::Cell), CULLSCOPE_TR("The eye lies in view cell %1, from which %2 objects may be seen."),
+        sayBegin(m_frame, uint8_t(PvsLine::Cell),
+                 CULLSCOPE_TR("The eye lies in view cell %1, from which %2 objects may be seen."),
                  {double(region), double(last.objects.size())});
         if (m_frame.recording()) sayHidden(last.objects);
         uint64_t listed = 0;
@@ -111,7 +115,8 @@ private:
         for (uint32_t p = 0; p < kFrustumPlaneCount; ++p) {
             const double inside = farthestInside(m_frame.view().frustum().planes[p], bounds);
             if (m_frame.recording())
-                m_frame.say(atLine(PvsLine::Test, outsideTest(Subject::ofObject(object), FrustumPlane(p), inside, bounds.margin)));
+                m_frame.say(
+                    atLine(PvsLine::Test, outsideTest(Subject::ofObject(object), FrustumPlane(p), inside, bounds.margin)));
             if (inside >= -bounds.margin) continue;
             m_frame.counters().culledTriangles[size_t(Cause::OutsideFrustum)] += triangles;
             if (m_frame.recording())
@@ -131,8 +136,7 @@ public:
 
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
         const auto count = [&](PvsLine line) {
-            return uint64_t(
-                std::ranges::count_if(log.decisions, [&](const Decision& one) { return one.line == uint8_t(line); }));
+            return uint64_t(std::ranges::count_if(log.decisions, [&](const Decision& one) { return one.line == uint8_t(line); }));
         };
         return {{},
                 {{CULLSCOPE_TR("objects not in the cell's set"), count(PvsLine::NotInSet), TriangleState::Hidden},
@@ -148,7 +152,8 @@ public:
         if (!region) return {};
         OverlayLines edges{{}, {kCellWidth, false}, true};
         const Box3& box = cells.sets->within().empty() ? structure.scene().bounds() : cells.sets->within();
-        for (const auto& [from, to] : regionOutline(*cells.sets, *region, box)) edges.lines.push_back({from, to, context.contrast});
+        for (const auto& [from, to] : regionOutline(*cells.sets, *region, box))
+            edges.lines.push_back({from, to, context.contrast});
         if (edges.lines.empty()) return {};
         return {std::move(edges)};
     }
@@ -169,9 +174,10 @@ protected:
         if (parameters.choice(kSets) == kGiven) {
             structure.sets = scene.remarks().visibility;
             if (!structure.sets)
-                throwUsage(CULLSCOPE_TR("sets=%1: the scene came without potentially visible sets, which levels of Quake 3 (.bsp) "
-                                        "have. Take %2 or %3."),
-                           {kGiven, kSampled, kConservative});
+                throwUsage(
+                    CULLSCOPE_TR("sets=%1: the scene came without potentially visible sets, which levels of Quake 3 (.bsp) "
+                                 "have. Take %2 or %3."),
+                    {kGiven, kSampled, kConservative});
         } else {
             find(structure, parameters, progress);
         }
@@ -203,7 +209,8 @@ protected:
     }
     [[nodiscard]] StructureSnapshot snapshotOf(const CellSets& structure, const FrameLog& log) const override {
         StructureSnapshot tree = objectNodes(log, structure.scene());
-        tree.objectSentence = CULLSCOPE_TR("The object \"%1\" has %2 triangles, which the cell's set has together or not at all.");
+        tree.objectSentence =
+            CULLSCOPE_TR("The object \"%1\" has %2 triangles, which the cell's set has together or not at all.");
         return tree;
     }
 
@@ -291,8 +298,8 @@ RegisteredStrategy pvs() {
          countParameter(kCells, 8, 1, 256, CULLSCOPE_TR("How many cells lie along the longest side of the scene.")),
          countParameter(kHalvings, 1, 0, 18, CULLSCOPE_TR("How many more times a cell is halved that a surface crosses.")),
          bySize(countParameter(kRays, 5000, 0, 1e9, CULLSCOPE_TR("How many rays look around from a cell.")), 10),
-         readWhenBuilding(booleanParameter(
-             kNeighbours, true, CULLSCOPE_TR("Whether a cell's sampled set also has what the cells beside it see."))),
+         readWhenBuilding(booleanParameter(kNeighbours, true,
+                                           CULLSCOPE_TR("Whether a cell's sampled set also has what the cells beside it see."))),
          countParameter(kSeed, 1, 0, 1e9, CULLSCOPE_TR("What the rays' random numbers begin with."))}};
     info.needsEyePoint = true;
     info.sweeps = {{kRays, {"100", "1000", "10000", "100000"}}};

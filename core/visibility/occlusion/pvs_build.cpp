@@ -15,7 +15,7 @@
 namespace cullscope::occlusion {
 namespace {
 
-constexpr size_t kCellsAtOnce = 64;      // between reports of progress
+constexpr size_t kCellsAtOnce = 64;  // between reports of progress
 constexpr int kGroupHalvings = 0, kPartHalvings = 3;
 
 /// Calls `work` for every cell, several at a time.

@@ -11,7 +11,7 @@ struct PvsOptions {
     uint64_t rays = 0;  ///< for a cell
     uint64_t seed = 0;
     bool neighbours = false;  ///< a set also has what the cells beside its own see
-    bool proven = false;  ///< an object is left out of a set only where it is proven that the cell does not see it
+    bool proven = false;      ///< an object is left out of a set only where it is proven that the cell does not see it
 };
 
 /// Sets of a scene, and how they came about.

@@ -105,9 +105,8 @@ std::vector<Crossing> crossings(const Scene& scene, const Progress& progress) {
 }  // namespace
 
 std::optional<ViewCells> viewCells(const Scene& scene, const CellOptions& options, const Progress& progress) {
-    const auto drawn = std::ranges::count_if(scene.instances(), [&](const Instance& instance) {
-        return scene.meshes()[instance.mesh]->triangleCount() > 0;
-    });
+    const auto drawn = std::ranges::count_if(
+        scene.instances(), [&](const Instance& instance) { return scene.meshes()[instance.mesh]->triangleCount() > 0; });
     const Box3& bounds = scene.bounds();
     if (drawn < 2 || bounds.empty() || !(bounds.diagonal() > 0.0) || !std::isfinite(bounds.diagonal())) return std::nullopt;
     ViewCells cells;
@@ -116,8 +115,7 @@ std::optional<ViewCells> viewCells(const Scene& scene, const CellOptions& option
     const Vec3 size = cells.within.max - cells.within.min;
     // Halving never meets a size exactly, so a little room tells how often.
     const double largest = std::max({size.x, size.y, size.z}) / options.along * (1.0 + 1e-9);
-    const int32_t root =
-        Division(cells, largest, options.halvings, progress).divide(cells.within, crossings(scene, progress), 0);
+    const int32_t root = Division(cells, largest, options.halvings, progress).divide(cells.within, crossings(scene, progress), 0);
     // A tree has a node, also where it has one region alone.
     if (root < 0) cells.nodes.push_back({Vec3(1.0, 0.0, 0.0), cells.within.min.x, {root, root}});
     return cells;
@@ -132,7 +130,8 @@ std::vector<std::vector<uint32_t>> neighbours(const ViewCells& cells) {
         const Box3& box = cells.boxes[byX[i]];
         for (size_t j = i + 1; j < byX.size() && cells.boxes[byX[j]].min.x <= box.max.x; ++j) {
             const Box3& other = cells.boxes[byX[j]];
-            if (other.min.y > box.max.y || other.max.y < box.min.y || other.min.z > box.max.z || other.max.z < box.min.z) continue;
+            if (other.min.y > box.max.y || other.max.y < box.min.y || other.min.z > box.max.z || other.max.z < box.min.z)
+                continue;
             result[byX[i]].push_back(byX[j]);
             result[byX[j]].push_back(byX[i]);
         }

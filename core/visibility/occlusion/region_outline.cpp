@@ -38,7 +38,8 @@ std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Side& side, do
 /// A square on the plane that is larger than the box.
 std::vector<Vec3> squareOn(const Side& side, const Box3& box) {
     const Vec3 normal = glm::normalize(side.normal);
-    const Vec3 centre = box.centre() - normal * ((glm::dot(side.normal, box.centre()) - side.distance) / glm::length(side.normal));
+    const Vec3 centre =
+        box.centre() - normal * ((glm::dot(side.normal, box.centre()) - side.distance) / glm::length(side.normal));
     const Vec3 other = std::abs(normal.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(normal, other)) * box.diagonal(), v = glm::cross(normal, u);
     return {centre - u - v, centre + u - v, centre + u + v, centre - u + v};

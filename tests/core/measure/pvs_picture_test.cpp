@@ -83,7 +83,8 @@ TEST(PvsPicture, conservativeSetsLoseNoSampleFromAnywhereInACell) {
                 const View view = viewInside(*scene, random);
                 const uint64_t before = losses.different;
                 look(buffers, *culler, view, losses);
-                ASSERT_EQ(losses.different, before) << "seed " << seed << ", rays " << settings.at("rays") << ", " << viewText(view);
+                ASSERT_EQ(losses.different, before)
+                    << "seed " << seed << ", rays " << settings.at("rays") << ", " << viewText(view);
             }
             if (!settings.contains("facing") || settings.at("facing") != "front")
                 EXPECT_GT(losses.hidden, 0u) << "seed " << seed << ": nothing is hidden, so nothing is tested";

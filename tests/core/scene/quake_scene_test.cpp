@@ -115,7 +115,8 @@ TEST_F(Quake, sceneHasTheLevelsSetsByObject) {
     };
     using testing::ElementsAre, testing::HasSubstr;
     EXPECT_THAT(seenFrom({0, 0, 0}), ElementsAre("textures/wall #0", "textures/wall #1", HasSubstr("func_door")));
-    EXPECT_THAT(seenFrom({5, 0, 0}), ElementsAre("textures/wall #0", HasSubstr("func_door"))) << "cluster 1 does not see cluster 0";
+    EXPECT_THAT(seenFrom({5, 0, 0}), ElementsAre("textures/wall #0", HasSubstr("func_door")))
+        << "cluster 1 does not see cluster 0";
     std::vector<bool> hidden(scene->instances().size(), false);
     hidden[0] = true;
     const RegionSetsPointer rest = withoutInstances(scene, hidden)->remarks().visibility;

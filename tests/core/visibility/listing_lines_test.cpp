@@ -77,6 +77,10 @@ std::vector<Shot> fixedShots() {
                       lookingAt({0, 0, 130}, Vec3(0.0), 30, 300)}});
     const ScenePointer bumps = sceneOf({bumpyMesh(3, 40'000, 0.4)});
     shots.push_back({bumps, {lookingAt({0, 0.3, 6.0}, Vec3(0.0), 60), lookingAt({0, 0.3, 2.0}, Vec3(0.0), 20)}});
+    // A closed plate in the middle hides one of two bodies from places in the scene's own box.
+    const ScenePointer plate = sceneOf(
+        {boxMesh({-4, -4, -0.5f}, {4, 4, 0.5f}), boxMesh({-1, -1, -4}, {1, 1, -3.5f}), boxMesh({-1, -1, 3.5f}, {1, 1, 4})});
+    shots.push_back({plate, {lookingAt({0, 0, 2.6}, {0, 0.1, -1}, 60)}});
     return shots;
 }
 
