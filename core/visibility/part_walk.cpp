@@ -31,6 +31,7 @@ public:
         : m_nodes(nodes),
           m_view(view),
           m_hiding(tests.hiding),
+          m_leaves(tests.leaves),
           m_lines(tests.lines),
           m_record(record),
           m_tests(record != nullptr && record->tests()),
@@ -53,12 +54,13 @@ public:
             open.hiding = reach == HidingTest::Reach::Open;
         }
         open.hiding = open.hiding && node.count >= m_hiding->least();
-        if (node.childCount == 0 || open.none()) return draw(number);
+        if (node.childCount == 0 && m_leaves != nullptr) return m_leaves->push_back(number);
+        if (node.childCount == 0 || (open.none() && m_leaves == nullptr)) return draw(number);
         for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child) visit(child, open);
     }
 
     [[nodiscard]] PartWalk take(const PartTests& tests) {
-        drawWholeWhereFewAreLeftOut();
+        if (m_leaves == nullptr) drawWholeWhereFewAreLeftOut();
         m_walk.cones = tests.cones;
         m_walk.hiding = tests.hiding != nullptr;
         return std::move(m_walk);
@@ -203,6 +205,7 @@ private:
     const SurfaceNodes& m_nodes;
     const PartView& m_view;
     const HidingTest* m_hiding;
+    std::vector<uint32_t>* m_leaves;
     PartWalkLines m_lines;
     ObjectRecord* m_record;
     bool m_tests;

@@ -64,6 +64,9 @@ struct PartTests {
     bool cones = false;                  ///< normal cones; only where back faces are not drawn
     const HidingTest* hiding = nullptr;  ///< null: nothing hides
     PartWalkLines lines{};
+    /// Where it is not null, it gets the leaves that no test leaves out, ascending, and what becomes of them is decided and said
+    /// elsewhere: the walk draws nothing.
+    std::vector<uint32_t>* leaves = nullptr;
 };
 
 /// Walks a tree over an object's triangles. A node that is outside one plane, completely back-facing, or hidden is culled with

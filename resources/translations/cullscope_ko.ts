@@ -6814,10 +6814,6 @@
         <translation>메시를 이웃한 삼각형의 클러스터로 나누고, 큰 묶음에서 하나하나까지 절두체, 법선 원뿔, 그리고 앞에 놓인 것으로 검사합니다. 어떤 메시에서도 아무것도 잃지 않습니다.</translation>
     </message>
     <message>
-        <source>How it is found that clusters are hidden: large triangles of near objects are drawn on the processor.</source>
-        <translation>클러스터가 가려졌는지 알아내는 방법: 가까운 물체의 큰 삼각형을 프로세서에서 그립니다.</translation>
-    </message>
-    <message>
         <source>it is not</source>
         <translation>알아내지 않음</translation>
     </message>
@@ -7524,6 +7520,18 @@
     <message>
         <source>At the end of the frame it is hidden: the next frame does not draw it first.</source>
         <translation>프레임의 끝에서 가려졌습니다. 다음 프레임은 먼저 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>boxes of clusters</source>
+        <translation>클러스터의 상자</translation>
+    </message>
+    <message>
+        <source>How it is found that clusters are hidden: by large triangles of near objects, drawn on the processor, or by what the frame has drawn.</source>
+        <translation>클러스터가 가려졌는지 알아내는 방법: 프로세서에서 그린 가까운 물체의 큰 삼각형으로, 또는 프레임이 이미 그린 것으로.</translation>
+    </message>
+    <message>
+        <source>a pyramid of the depth that the frame has drawn, on the GPU</source>
+        <translation>프레임이 그린 깊이의 피라미드로, GPU에서</translation>
     </message>
 </context>
 <context>

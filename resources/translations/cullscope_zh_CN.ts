@@ -6814,10 +6814,6 @@
         <translation>将网格切成相邻三角形的簇，从大组到单个簇，依次以视锥体、法线锥和位于其前方的物体检测：任何网格都不丢失任何内容。</translation>
     </message>
     <message>
-        <source>How it is found that clusters are hidden: large triangles of near objects are drawn on the processor.</source>
-        <translation>如何得知簇被遮挡：在处理器上绘制近处物体的大三角形。</translation>
-    </message>
-    <message>
         <source>it is not</source>
         <translation>不检测</translation>
     </message>
@@ -7524,6 +7520,18 @@
     <message>
         <source>At the end of the frame it is hidden: the next frame does not draw it first.</source>
         <translation>本帧结束时被遮挡：下一帧不先绘制它。</translation>
+    </message>
+    <message>
+        <source>boxes of clusters</source>
+        <translation>簇的盒</translation>
+    </message>
+    <message>
+        <source>How it is found that clusters are hidden: by large triangles of near objects, drawn on the processor, or by what the frame has drawn.</source>
+        <translation>如何得知簇被遮挡：按在处理器上绘制的近处对象的大三角形，或按本帧已绘内容。</translation>
+    </message>
+    <message>
+        <source>a pyramid of the depth that the frame has drawn, on the GPU</source>
+        <translation>本帧所绘深度的金字塔，在 GPU 上</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "core/base/message.h"
@@ -37,8 +38,19 @@ struct WalkedObject {
     uint32_t instance = 0;
     bool whole = false;  ///< drawn completely, without a walk
     PartWalk walk;
+    std::vector<uint32_t> leaves{};        ///< that are tested against a pyramid
     std::optional<ObjectRecord> record{};  ///< only while the frame is recorded
 };
+
+constexpr TwoPassLines kPassLines{.first = uint8_t(ClusterLine::Draw),
+                                  .reduce = uint8_t(ClusterLine::HiddenPart),
+                                  .test = uint8_t(ClusterLine::HiddenPart),
+                                  .hidden = uint8_t(ClusterLine::HiddenPart),
+                                  .draw = uint8_t(ClusterLine::Draw),
+                                  .again = uint8_t(ClusterLine::HiddenPart),
+                                  .next = uint8_t(ClusterLine::HiddenPart)};
+/// Near clusters first, as many rounds as two: what comes into sight hides the rest (docs/methods/occlusion.md).
+constexpr size_t kRoundsOfClusters = 2;
 
 /// The cause for which most of the culled triangles were culled.
 Cause mainCause(const PartWalk& walk) { return Cause(std::ranges::max_element(walk.culled) - walk.culled.begin()); }
@@ -76,7 +88,10 @@ public:
                 if (object.record) object.record->sayTo(m_frame);
             }
         }
-        m_frame.draw(std::move(list));
+        if (m_options.pyramid)
+            drawUnhidden(decided, memory.last);
+        else
+            m_frame.draw(std::move(list));
     }
 
 private:
@@ -126,7 +141,7 @@ private:
         const bool cones = m_options.cones && dropsBacks(scene(), object.instance, m_frame.facing());
         // The planes were tested with the object's own bounds; of a single cluster nothing else is left.
         const SurfaceNode& root = tree.nodes().front();
-        const bool nothing = root.leaf() ? !cones || !root.hasCone() : object.planes == 0 && !cones;
+        const bool nothing = m_options.pyramid ? false : root.leaf() ? !cones || !root.hasCone() : object.planes == 0 && !cones;
         if (nothing && m_buffer == nullptr) {
             result.whole = true;
             if (result.record)
@@ -138,16 +153,73 @@ private:
         const PartView seen = partView(m_frame.view(), fromEye);
         std::optional<BufferHiding> hiding;
         if (m_buffer != nullptr) hiding.emplace(*m_buffer, m_frame.view(), fromEye);
-        const PartTests tests{object.planes, cones, hiding ? &*hiding : nullptr, kPartLines};
+        PartTests tests{object.planes, cones, hiding ? &*hiding : nullptr, kPartLines};
+        if (m_options.pyramid) tests.leaves = &result.leaves;
         result.walk = walkParts(SurfaceNodes(tree.nodes()), seen, tests, result.record ? &*result.record : nullptr);
-        if (result.record) sayEnd(result.walk, tree.mesh().triangleCount(), *result.record);
+        if (result.record && !m_options.pyramid) sayEnd(result.walk, tree.mesh().triangleCount(), *result.record);
         return result;
     }
 
-    /// What became of an object of so many triangles.
-    static void sayEnd(const PartWalk& walk, uint64_t triangles, ObjectRecord& record) {
+    /// Draws the clusters that no test has left out, but for those that are hidden by the others.
+    void drawUnhidden(const std::vector<WalkedObject>& objects, LastVisible& last) {
+        DrawnParts parts(m_frame.view());
+        {
+            const StageTimer stage(m_frame, CULLSCOPE_TR("boxes of clusters"));
+            for (const WalkedObject& object : objects) addClusters(object, parts);
+        }
+        const StageTimer stage(m_frame, CULLSCOPE_TR("walk and pyramid"));
+        const TwoPassOptions options{.rounds = kRoundsOfClusters,
+                                     .lines = kPassLines,
+                                     .like = {m_frame.facing(), {}, m_structure.clusters.order},
+                                     .tests = m_tests};
+        const TwoPassCounters counted = drawInTwoPasses(m_frame, parts, options, last);
+        counters().workBytes = counted.pyramids > 0 ? pyramidBytes(m_frame.view().viewport()) : 0;
+        counters().figures = {{"first_clusters", double(counted.first)},
+                              {"tested_clusters", double(counted.tested)},
+                              {"pyramids", double(counted.pyramids)}};
+        if (m_frame.recording()) sayEnds(objects, counted.hidden);
+    }
+
+    void addClusters(const WalkedObject& object, DrawnParts& parts) const {
+        const ClusterTree& tree = m_structure.clusters.of(scene(), object.instance);
+        const EyeFromLocal fromEye = eyeFromLocal(scene(), object.instance, tree.sphere(), Mat3(1.0), m_frame.view().eye());
+        Mat3 spread(0.0);
+        for (int column = 0; column < 3; ++column) spread[column] = glm::abs(fromEye.linear[column]);
+        for (const uint32_t leaf : object.leaves) {
+            const SurfaceNode& node = tree.nodes()[leaf];
+            DrawnParts::Part& part = parts.add(uint64_t(object.instance) << 32 | leaf, Subject::ofCell(leaf, object.instance),
+                                               {object.instance, 3 * node.first, 3 * node.count});
+            part.places = {node.first, node.count};
+            part.nesting = uint8_t(std::min<uint32_t>(node.level + 1u, 255u));
+            const Vec3 low(node.low), high(node.high);
+            // A picture's float rounding displaces what the box holds.
+            const EyeBox box{fromEye.linear * (0.5 * (low + high)) + fromEye.centre,
+                             spread * (0.5 * (high - low)) + Vec3(fromEye.rounding)};
+            parts.addBox(grownBox(box, fromEye.margin, m_frame.view()));
+        }
+    }
+
+    /// What became of the objects, by what became of their clusters.
+    void sayEnds(const std::vector<WalkedObject>& objects, const std::vector<const DrawnParts::Part*>& hidden) {
+        std::map<uint32_t, uint64_t> hiddenOf;
+        for (const DrawnParts::Part* part : hidden) hiddenOf[part->range.instance] += part->places.count;
+        for (const WalkedObject& object : objects) {
+            const ClusterTree& tree = m_structure.clusters.of(scene(), object.instance);
+            PartWalk walk = object.walk;
+            for (const uint32_t leaf : object.leaves) walk.drawn.push_back({tree.nodes()[leaf].first, tree.nodes()[leaf].count});
+            ObjectRecord record(object.instance, m_tests);
+            sayEnd(walk, hiddenOf[object.instance], tree.mesh().triangleCount(), record);
+            record.sayTo(m_frame);
+        }
+    }
+
+    static void sayEnd(const PartWalk& walk, uint64_t triangles, ObjectRecord& record) { sayEnd(walk, 0, triangles, record); }
+    /// What became of an object of so many triangles, of which `hidden` are left out besides.
+    static void sayEnd(PartWalk walk, uint64_t hidden, uint64_t triangles, ObjectRecord& record) {
+        walk.culled[size_t(Cause::Hidden)] += hidden;
         uint64_t drawn = 0;
         for (const PlaceRun& run : walk.drawn) drawn += run.count;
+        drawn -= hidden;
         const auto outcome = drawn == triangles ? Decision::Outcome::Drawn
                              : drawn > 0        ? Decision::Outcome::PartlyDrawn
                                                 : Decision::Outcome::Culled;

@@ -6,6 +6,7 @@
 #include "core/spatial/instance_octree.h"
 #include "core/visibility/occlusion/buffer_walk.h"
 #include "core/visibility/occlusion/cluster_occlusion.h"
+#include "core/visibility/occlusion/two_passes.h"
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/scene_clusters.h"
 #include "core/visibility/strategy.h"
@@ -25,21 +26,24 @@ struct ClusterScene : Structure {
 
 struct ClusterMemory : ViewState {
     LastFailedPlanes planes;
+    LastVisible last;                       ///< clusters, where a pyramid hides
     std::optional<OcclusionBuffer> buffer;  ///< begins anew with every frame: only its memory is kept
 
     [[nodiscard]] ViewStatePointer clone() const override {
         auto copy = std::make_unique<ClusterMemory>();
         static_cast<ViewState&>(*copy) = *this;
         copy->planes = planes;
+        copy->last = last;
         return copy;
     }
 };
 
 struct ClusterOptions {
     bool cones = true;
-    std::optional<OcclusionForm> occlusion{};  ///< none: nothing hides
+    std::optional<OcclusionForm> occlusion{};  ///< none: no occluders hide
     double pixels = 0.0;                       ///< as BufferOptions
     uint64_t triangles = 0;
+    bool pyramid = false;  ///< what the frame has drawn hides, in two passes (two_passes.h); without `occlusion`
 };
 
 /// Decides one frame, draws it and says why.

@@ -15,6 +15,7 @@ constexpr const char* kCones = "cones";
 constexpr const char* kOcclusion = "occlusion";
 constexpr const char* kDepth = "depth";
 constexpr const char* kMasked = "masked";
+constexpr const char* kPyramid = "hiz";
 constexpr const char* kClusterBoxes = "clusters";
 
 class Clusters final : public StrategyWith<ClusterScene, ClusterMemory> {
@@ -66,6 +67,7 @@ protected:
         const std::string& occlusion = parameters.choice(kOcclusion);
         if (occlusion == kDepth) options.occlusion = OcclusionForm::Depth;
         if (occlusion == kMasked) options.occlusion = OcclusionForm::Masked;
+        options.pyramid = occlusion == kPyramid;
         drawClusters(frame, structure, memory, options);
     }
 
@@ -140,15 +142,17 @@ RegisteredStrategy clusters() {
         "Shirman & Abi-Ezzi 1993; Hasselgren, Andersson & Akenine-Möller 2016",
         {facingParameter(), clusterSizeParameter(),
          choiceParameter(kOcclusion, kMasked,
-                         CULLSCOPE_TR("How it is found that clusters are hidden: large triangles of near objects are "
-                                      "drawn on the processor."),
+                         CULLSCOPE_TR("How it is found that clusters are hidden: by large triangles of near objects, drawn on "
+                                      "the processor, or by what the frame has drawn."),
                          {{"none", CULLSCOPE_TR("it is not")},
                           {kDepth, CULLSCOPE_TR("a depth for every pixel")},
-                          {kMasked, CULLSCOPE_TR("two depths and a mask for each 8 × 4 pixels")}}),
+                          {kMasked, CULLSCOPE_TR("two depths and a mask for each 8 × 4 pixels")},
+                          {kPyramid, CULLSCOPE_TR("a pyramid of the depth that the frame has drawn, on the GPU")}}),
          booleanParameter(kCones, true,
                           CULLSCOPE_TR("Whether clusters whose triangles all face away are left out (where only "
                                        "front sides are drawn).")),
          occluderPixelsParameter(), occluderTrianglesParameter()}};
+    info.remembers = true;
     info.sweeps = {{kClusterSize, {"32", "64", "128", "256", "512"}}, occluderPixelsSweep(), occluderTrianglesSweep()};
     info.shows = {treeShow(), clusterBoxes(), clusterListing(), trianglesByTestShow()};
     return {std::move(info), std::make_shared<Clusters>()};

@@ -136,15 +136,19 @@ private:
         return hidingTest(hidden, sentence, operands);
     }
 
+    /// Says a test, or an end.
     void say(const Part& part, uint8_t line, Decision decision) {
+        if (!m_options.tests && decision.outcome == Decision::Outcome::Open) return;
         decision.subject = part.subject;
+        decision.places = part.places;
+        decision.nesting = part.nesting;
         m_frame.say(atLine(line, decision));
     }
 
     void sayEnd(const Part& part, uint8_t line, bool drawn) {
-        if (!m_options.ends) return;
+        if (!drawn) m_counters.hidden.push_back(&part);
         const auto outcome = drawn ? Decision::Outcome::Drawn : Decision::Outcome::Culled;
-        m_frame.say(atLine(line, ending(part.subject, outcome, Cause::Hidden)));
+        say(part, line, ending(part.subject, outcome, Cause::Hidden));
     }
 
     void sayReduction() {
@@ -237,8 +241,8 @@ std::vector<uint64_t> LastVisible::visible(FrameContext& frame) const {
     return keys;
 }
 
-void DrawnParts::add(uint64_t key, const Subject& subject, const DrawRange& range) {
-    m_parts.push_back({key, subject, range, uint32_t(m_boxes.size())});
+DrawnParts::Part& DrawnParts::add(uint64_t key, const Subject& subject, const DrawRange& range) {
+    return m_parts.emplace_back(Part{key, subject, range, uint32_t(m_boxes.size())});
 }
 
 void DrawnParts::addBox(const GrownBox& box) {

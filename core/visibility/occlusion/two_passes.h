@@ -28,12 +28,14 @@ public:
         DrawRange range;
         uint32_t firstBox = 0, boxCount = 0;
         double growth = 0.0;  ///< of its boxes, the largest
+        PlaceRun places{};    ///< of a cell
+        uint8_t nesting = 0;  ///< of its decisions
         bool askable = true;  ///< its boxes lie beyond the near plane
     };
 
     explicit DrawnParts(const View& view) : m_view(view) {}
     /// Adds a part without boxes; then boxes to it.
-    void add(uint64_t key, const Subject& subject, const DrawRange& range);
+    Part& add(uint64_t key, const Subject& subject, const DrawRange& range);
     void addBox(const GrownBox& box);
 
     [[nodiscard]] std::span<const Part> parts() const { return m_parts; }
@@ -59,8 +61,8 @@ struct TwoPassLines {
 struct TwoPassOptions {
     size_t rounds = 1;  ///< in which the second pass is made
     TwoPassLines lines{};
-    DrawList like{};   ///< facing and order of what is drawn
-    bool ends = true;  ///< whether it says what becomes of the parts
+    DrawList like{};    ///< facing and order of what is drawn
+    bool tests = true;  ///< whether tests are said, or what becomes of the parts alone
 };
 
 struct TwoPassCounters {
@@ -68,6 +70,7 @@ struct TwoPassCounters {
     uint64_t tested = 0;  ///< of the second
     uint64_t boxes = 0;   ///< by which they were tested
     uint64_t pyramids = 0;
+    std::vector<const DrawnParts::Part*> hidden;  ///< only while the frame records
 };
 
 /// Draws the parts that are not hidden, in two passes (two-pass occlusion culling with a hierarchical depth buffer; Greene, Kass

@@ -46,6 +46,7 @@ const std::vector<Method> kConservative{{"octree-query", {}},
                                         {"occlusion-masked", {{"pixels", "1"}, {"facing", "two-sided"}}},
                                         {"occlusion-masked", {{"pixels", "1"}, {"triangles", "40"}}},
                                         {"clusters", {{"pixels", "1"}, {"size", "32"}}},
+                                        {"clusters", {{"occlusion", "hiz"}, {"size", "32"}}},
                                         {"clusters", {{"occlusion", "depth"}, {"pixels", "1"}, {"facing", "two-sided"}}}};
 
 struct Tally {

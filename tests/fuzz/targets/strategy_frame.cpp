@@ -85,7 +85,8 @@ void strategy_frame(std::string_view input) {
         const bool recording = values.below(2) == 1;
         const std::optional<View> view = viewOf(values, *scene);
         if (!view) continue;
-        accepted({ErrorKind::Usage}, [&] {
+        // Of some strategies one choice of a parameter asks OpenGL, and there is none here.
+        accepted({ErrorKind::Usage, ErrorKind::OpenGl}, [&] {
             const FrameLog log = built->decide(*view, *state, recording);
             requireWithinScene(log, *scene);
             (void)built->promiseAt(*view);
