@@ -45,8 +45,10 @@ public:
     [[nodiscard]] LastVisible last() {
         LastVisible next;
         std::vector<const Part*> asked;
+        // Nothing else is there to hide a part that is alone.
+        const bool alone = m_parts.parts().size() == 1;
         for (const Part& part : m_parts.parts()) {
-            if (part.askable)
+            if (part.askable && !alone)
                 asked.push_back(&part);
             else
                 next.unasked.push_back(part.key);

@@ -81,7 +81,8 @@ struct TwoPassCounters {
 ///   A part is hidden where all its boxes are. The others are drawn in the same frame. With several rounds the parts are parted
 ///   into as many batches, in their order, each with twice as many as the one before, and what one round draws hides what the
 ///   next one tests. What comes before anything is drawn is drawn without a test.
-/// - At the end all parts are tested against the pyramid of the finished picture, for the next frame.
+/// - At the end all parts are tested against the pyramid of the finished picture, for the next frame. A part that is alone is
+///   not: nothing hides it.
 /// Nothing visible is left out, whatever `memory` holds: what is left out is hidden by what this frame has drawn. Parts that are
 /// left out count as hidden when the frame ends.
 TwoPassCounters drawInTwoPasses(FrameContext& frame, const DrawnParts& parts, const TwoPassOptions& options, LastVisible& memory);

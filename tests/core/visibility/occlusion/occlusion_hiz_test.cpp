@@ -57,6 +57,17 @@ TEST(OcclusionHiz, drawsWhatWasVisibleFirstAndHidesTheRestByIt) {
     }
 }
 
+TEST(OcclusionHiz, anObjectThatIsAloneIsDrawnWithoutAPyramid) {
+    const ScenePointer scene = sceneOf({sphereMesh(200)}, {translation({0, 0, -5})});
+    const CullerPointer culler = occlusionHiz(*scene);
+    for (int frame = 0; frame < 3; ++frame) {
+        const Culled next = frameOf(*culler, standardView());
+        EXPECT_EQ(drawn(next), (Objects{0}));
+        EXPECT_EQ(figure(next, "pyramids"), 0);
+        EXPECT_EQ(figure(next, "first_objects"), frame == 0 ? 0 : 1);
+    }
+}
+
 TEST(OcclusionHiz, roundsHideInTheFirstFrameToo) {
     const ScenePointer scene = wallBeforeSpheres();
     const CullerPointer culler = occlusionHiz(*scene, {{"rounds", "4"}});
