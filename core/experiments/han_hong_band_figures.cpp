@@ -64,22 +64,20 @@ private:
         return fitted(camera, places, size);
     }
 
-    void addCameraWords() {
-        m_bottom =
-            addText(m_page,
-                    say(CULLSCOPE_TR("Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, "
-                                     "and a little from behind.")),
-                    {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text) +
-            4.0;
+    /// Adds a sentence, and goes on below it.
+    void addSentence(const char* text) {
+        constexpr double kBelow = 4.0;
+        m_bottom = addText(m_page, say(text), {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text) + kBelow;
     }
-
+    void addCameraWords() {
+        addSentence(
+            CULLSCOPE_TR("Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, "
+                         "and a little from behind."));
+    }
     void addAngleWords() {
-        m_bottom =
-            addText(m_page,
-                    say(CULLSCOPE_TR("α is the angle from the sight ray, seen from the middle of the sphere: the paper's near "
-                                     "half, up to 180° across, has α up to 90°.")),
-                    {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text) +
-            4.0;
+        addSentence(
+            CULLSCOPE_TR("α is the angle from the sight ray, seen from the middle of the sphere: the paper's near half, up to "
+                         "180° across, has α up to 90°."));
     }
 
     [[nodiscard]] PageLegendEntry backSign() const {
@@ -163,8 +161,7 @@ private:
                            {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text);
         const TriangleStates states = statesAgainstTruth(m_log);
         addMap(m_log, "state", &states);
-        m_bottom = addText(m_page, say(CULLSCOPE_TR("White cells: no triangle has its centroid there.")), {kMargin, m_bottom},
-                           inner(), m_look.style, m_look.style.text);
+        addSentence(CULLSCOPE_TR("White cells: no triangle has its centroid there."));
     }
 
     /// Four pictures: the paper's two, from the eye and from the opposite side, and below them what shows that the surface is an
