@@ -7454,7 +7454,7 @@
         <translation>상자를 그 텍셀과 비교</translation>
     </message>
     <message>
-        <source>behind all of them: hidden, leave it out</source>
+        <source>behind all: hidden, leave it out</source>
         <translation>모두의 뒤: 가려짐, 제외</translation>
     </message>
     <message>

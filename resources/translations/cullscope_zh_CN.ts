@@ -7454,7 +7454,7 @@
         <translation>将盒与其纹素比较</translation>
     </message>
     <message>
-        <source>behind all of them: hidden, leave it out</source>
+        <source>behind all: hidden, leave it out</source>
         <translation>在全部之后：被遮挡，略去</translation>
     </message>
     <message>

@@ -151,7 +151,7 @@ Show hizListing() {
                         {CULLSCOPE_TR("the others by rounds, nearest first"), 0},
                         {CULLSCOPE_TR("reduce the depth drawn to a pyramid"), 1},
                         {CULLSCOPE_TR("test boxes against its texels"), 1},
-                        {CULLSCOPE_TR("behind all of them: hidden, leave it out"), 2},
+                        {CULLSCOPE_TR("behind all: hidden, leave it out"), 2},
                         {CULLSCOPE_TR("else draw it, in the same frame"), 2},
                         {CULLSCOPE_TR("reduce again, test all: hidden now"), 0},
                         {CULLSCOPE_TR("else visible for the next frame"), 0}});
