@@ -74,6 +74,13 @@ void noteSmallest(const RTCFilterFunctionNArguments* arguments) {
     arguments->valid[0] = 0;
 }
 
+/// A power of two that brings a direction's largest component to about 1: Embree refuses lengths of 1e19 and rounds those of
+/// 1e-19 away. Distances along it are divided by it.
+double stretchToUnit(const Vec3& direction) {
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    return largest > 0.0 && std::isfinite(largest) ? std::exp2(-std::ilogb(largest)) : 1.0;
+}
+
 RTCRayHit rayOf(const Vec3& from, const Vec3& direction, double nearest, double farthest) {
     RTCRayHit ray{};
     ray.ray.org_x = float(from.x), ray.ray.org_y = float(from.y), ray.ray.org_z = float(from.z);
@@ -121,13 +128,14 @@ SceneRays::SceneRays(const Scene& scene, const Vec3& origin, const std::function
 SceneRays::~SceneRays() = default;
 
 std::optional<SceneRays::Hit> SceneRays::first(const Vec3& from, const Vec3& direction, double nearest, double farthest) const {
-    // The direction keeps its length while the scene is scaled, so distances are scaled with the scene.
-    RTCRayHit ray = rayOf(m_tree->inside(from), direction, m_tree->scale * nearest, m_tree->scale * farthest);
+    // Distances are scaled with the scene, and against the direction.
+    const double stretch = stretchToUnit(direction), scale = m_tree->scale / stretch;
+    RTCRayHit ray = rayOf(m_tree->inside(from), stretch * direction, scale * nearest, scale * farthest);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(m_tree->rtc.get(), &context, &ray);
     if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    return Hit{ray.hit.geomID, ray.hit.primID, double(ray.ray.tfar) / m_tree->scale};
+    return Hit{ray.hit.geomID, ray.hit.primID, double(ray.ray.tfar) / scale};
 }
 
 std::optional<SceneRays::Hit> SceneRays::firstByNumber(const Vec3& from, const Vec3& direction) const {
@@ -137,8 +145,8 @@ std::optional<SceneRays::Hit> SceneRays::firstByNumber(const Vec3& from, const V
     SmallestNumber smallest;
     rtcInitIntersectContext(&smallest.context);
     smallest.context.filter = noteSmallest;
-    const double distance = m_tree->scale * hit->distance;
-    RTCRayHit ray = rayOf(m_tree->inside(from), direction, distance * (1.0 - kSame), distance * (1.0 + kSame));
+    const double stretch = stretchToUnit(direction), distance = m_tree->scale / stretch * hit->distance;
+    RTCRayHit ray = rayOf(m_tree->inside(from), stretch * direction, distance * (1.0 - kSame), distance * (1.0 + kSame));
     rtcIntersect1(m_tree->rtc.get(), &smallest.context, &ray);
     if (smallest.instance != RTC_INVALID_GEOMETRY_ID) hit->instance = smallest.instance, hit->triangle = smallest.triangle;
     return hit;
