@@ -302,7 +302,7 @@ RegisteredStrategy pvs() {
                                            CULLSCOPE_TR("Whether a cell's sampled set also has what the cells beside it see."))),
          countParameter(kSeed, 1, 0, 1e9, CULLSCOPE_TR("What the rays' random numbers begin with."))}};
     info.needsEyePoint = true;
-    info.sweeps = {{kRays, {"100", "1000", "10000", "100000"}}};
+    info.sweeps = {{kRays, {"50", "500", "5000", "50000"}}};
     info.shows = {viewCellShow(), treeShow(), pvsListing(), barsShow("set-objects", CULLSCOPE_TR("What the cell's set has"))};
     return {std::move(info), std::make_shared<Pvs>()};
 }
