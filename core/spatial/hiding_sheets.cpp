@@ -180,7 +180,7 @@ bool HidingSheets::add(uint32_t triangle, const Pair& pair, Work& work) const {
 
 /// Adds the triangle at the edge that continues the sheet straightest.
 bool HidingSheets::close(uint32_t edge, const Pair& pair, Work& work) const {
-    const auto& [a, b] = m_triangles.edge(edge);
+    const uint32_t a = m_triangles.edge(edge)[0], b = m_triangles.edge(edge)[1];
     const Vec3& begin = m_triangles.vertex(a);
     const Vec3 along = m_triangles.vertex(b) - begin;
     const auto away = [&](uint32_t triangle) {

@@ -60,7 +60,7 @@ private:
         std::vector<uint32_t> objects;
         for (const Crossing& one : crossing) objects.push_back(one.instance);
         std::ranges::sort(objects);
-        objects.erase(std::ranges::unique(objects).begin(), objects.end());
+        objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
         m_cells.boxes.push_back(box);
         m_cells.crossing.push_back(std::move(objects));
         return -int32_t(m_cells.boxes.size());
