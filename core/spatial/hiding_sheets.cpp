@@ -10,11 +10,15 @@ namespace {
 
 /// Of the scene's diagonal: how far a sheet stays from the box from which is looked.
 constexpr double kReach = 0x1p-9;
-/// Of the squared distance over the scene's diagonal: how far a sheet stays before what it hides.
-constexpr double kDepthRoom = 0x1p-7;
-/// Of the distance: by how much corners are moved sideways. Both surfaces may be moved by 1/64 of the coarsest pixel, which is
-/// four times the finest step to which OpenGL must snap.
+/// Of the squared distance over the scene's diagonal: how far a sheet stays before what it hides. So inverse distances differ by
+/// at least this over the diagonal; one half is for the rounding of depths, the other one for triangles that are seen nearly
+/// edge-on.
+constexpr double kDepthRoom = 0x1p-6;
+/// Of the distance: by how much corners are moved sideways. Both surfaces may be moved by 1/64 of the coarsest pixel; Mesa and
+/// today's hardware snap to 1/256, and move corners by half of that along both axes.
 constexpr double kSidewaysRoom = SightRoom::kPixel / 32.0;
+/// How far a sample may lie outside of the triangle that covers it once its corners are snapped, at distance 1.
+constexpr double kOutside = SightRoom::kPixel / 256.0;
 constexpr size_t kMostTriangles = 512;  // of a sheet
 constexpr int kMostSeeds = 4;           // surfaces along a line of sight that are tried
 
@@ -48,6 +52,37 @@ int crosses(const Vec3& from, const Vec3& to, const std::array<Vec3, 3>& corners
     return sides[0] != 0 && sides[1] != 0 && sides[2] != 0 ? 1 : -1;
 }
 
+/// Whether the depths that a picture gives a triangle, where it covers a sample, are its own within half of the depth room, seen
+/// from anywhere in a box; false also where its plane may cut the box. `side`: on which side of the plane the box lies.
+bool depthsAreItsOwn(const std::array<Vec3, 3>& corners, const Box3& from, double diagonal, int& side) {
+    const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double twiceArea = glm::length(normal), half = glm::length(from.halfExtent());
+    if (!(twiceArea > 0.0)) return false;
+    double longest = 0.0, farthest = 0.0;
+    for (size_t i = 0; i < 3; ++i) {
+        longest = std::max(longest, glm::length(corners[(i + 1) % 3] - corners[i]));
+        farthest = std::max(farthest, glm::length(corners[i] - from.centre()) + half);
+    }
+    const double middle = glm::dot(normal, from.centre() - corners[0]) / twiceArea;
+    const double reach = glm::dot(glm::abs(normal), from.halfExtent()) / twiceArea;
+    // The rounding of the normal of a thin triangle turns it.
+    const double rounding =
+        0x1p-44 * (glm::length(from.centre()) + half + glm::length(corners[0])) * (1.0 + longest * longest / twiceArea);
+    const double height = std::abs(middle) - reach - rounding;  // of the eye above the plane, at least
+    if (!(height > 0.0)) return false;
+    side = middle > 0.0 ? 1 : -1;
+    // With the plane's unit normal n the inverse distance in the direction (x, y, 1) is n · (x, y, 1) / height: a step beside the
+    // triangle changes it by at most that step over the height. Rounding acts as such a step does, of at most 2^-25 · length^3 /
+    // area in the picture, where the area is at least height · area / distance^3.
+    const Vec3 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
+    const Vec3 high = glm::max(glm::max(corners[0], corners[1]), corners[2]);
+    const Vec3 gap = glm::max(glm::max(low - from.max, from.min - high), Vec3(0.0));
+    const double length = std::min(longest / std::max(height, glm::length(gap)), 4.0);
+    const double area = height * 0.5 * twiceArea / (farthest * farthest * farthest);
+    const double beside = kOutside + 0x1p-25 * length * length * length / area;
+    return beside / height <= 0.5 * kDepthRoom / diagonal;
+}
+
 double widest(const Box3& box) {
     const Vec3 size = box.max - box.min;
     return std::max({size.x, size.y, size.z});
@@ -64,13 +99,13 @@ std::array<Box3, 2> halves(const Box3& box) {
 }  // namespace
 
 SightRoom::SightRoom(const Scene& scene)
-    : reach(scene.bounds().diagonal() * kReach), nearest(scene.bounds().diagonal() * 0x1p-21 / kDepthRoom) {}
+    : reach(scene.bounds().diagonal() * kReach), nearest(scene.bounds().diagonal() * 0x1p-21 / (kDepthRoom / 2.0)) {}
 
 bool SightRoom::holds(const View& view) const {
     const Frustum& frustum = view.frustum();
     const double slant =
         std::sqrt(1.0 + frustum.tanHalfWidth * frustum.tanHalfWidth + frustum.tanHalfHeight * frustum.tanHalfHeight);
-    return !frustum.parallel() && frustum.nearDistance >= nearest && frustum.nearDistance * slant < reach &&
+    return !frustum.parallel() && frustum.nearDistance >= nearest && frustum.nearDistance * slant < reach * (1.0 - 0x1p-10) &&
            2.0 * frustum.tanHalfHeight / view.viewport().height <= kPixel;
 }
 
@@ -109,7 +144,8 @@ bool HidingSheets::hiddenByOneSheet(const Box3& from, const Box3& box, Work& wor
     Box3 both = from;
     both.add(box);
     const double distance = both.diagonal();
-    const double sideways = distance * (kSidewaysRoom + 0x1p-19) + m_rounding;
+    // Meshes about their own origin have coordinates that are rounded by parts of their size.
+    const double sideways = distance * (kSidewaysRoom + 0x1p-19) + m_diagonal * 0x1p-20 + m_rounding;
     const Box3 seen = grown(box, sideways);
     const double depths = kDepthRoom * distance * distance / m_diagonal;
     // Not the centres: lines through these meet the edges of many models.
@@ -152,14 +188,8 @@ bool HidingSheets::usable(uint32_t triangle, const Pair& pair) const {
     const WeldedTriangles::Triangle& of = m_triangles.triangles()[triangle];
     const std::array<Vec3, 3> corners = m_triangles.corners(of);
     if (mayTouch(corners, pair.near) || mayTouch(corners, pair.clear)) return false;
-    if (!m_dropsBacks[of.instance]) return true;
-    for (int corner = 0; corner < 8; ++corner) {
-        const Vec3 at((corner & 1) != 0 ? pair.near.max.x : pair.near.min.x,
-                      (corner & 2) != 0 ? pair.near.max.y : pair.near.min.y,
-                      (corner & 4) != 0 ? pair.near.max.z : pair.near.min.z);
-        if (sideOfPlane(corners[0], corners[1], corners[2], at) <= 0) return false;
-    }
-    return true;
+    int side = 0;
+    return depthsAreItsOwn(corners, pair.near, m_diagonal, side) && (side > 0 || !m_dropsBacks[of.instance]);
 }
 
 bool HidingSheets::add(uint32_t triangle, const Pair& pair, Work& work) const {

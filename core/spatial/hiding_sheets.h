@@ -15,7 +15,7 @@ struct SightRoom {
     /// No corner of the near rectangle is so far from the eye.
     double reach = 0.0;
     /// A pixel's width and height at distance 1 are at most so large.
-    static constexpr double kPixel = 0x1p-5;
+    static constexpr double kPixel = 0x1p-6;
     /// The near distance is at least so large: interpolated depths have errors that grow with the squared distance over it.
     double nearest = 0.0;
 
@@ -36,7 +36,12 @@ struct SightRoom {
 /// What OpenGL rounds is room in the proof: the farther box grows sideways by what corners are moved when they are snapped to a
 /// part of a pixel, the sheet keeps clear of it by the error of depths, and of the nearer one by what a near plane cuts off. Only
 /// edges whose corners OpenGL places alike count as shared (WeldedTriangles). Triangles of an object whose back faces are not
-/// drawn are used only where their fronts face all of the box from which is looked.
+/// drawn are used only where their fronts face all of the box from which is looked. Needles, and triangles that may be seen
+/// nearly edge-on, are no part of a sheet: a sample that a snapped corner moved into one may get any depth.
+///
+/// Two things are not proven. What hides must have the depths of its own plane within these rooms also where OpenGL clips it at
+/// a side of the picture, into pieces that may be needles; and what is hidden must not be drawn before its own box, as a surface
+/// that is seen edge-on may be by the same rounding.
 class HidingSheets {
 public:
     /// The scene, triangles and rays must outlive this object.

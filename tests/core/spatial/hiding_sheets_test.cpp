@@ -97,6 +97,33 @@ TEST(HidingSheets, closedBodyHidesByItsFrontsAlone) {
     EXPECT_FALSE(asked.hides({Vec3(-0.3, -0.2, -0.2), Vec3(0.3, 0.2, 0.2)}, kThere)) << "from inside its backs are not drawn";
 }
 
+TEST(HidingSheets, needlesThatCloseAGapAreNoPartOfASheet) {
+    // A corner of two triangles lies next to an edge of a third one, and a needle fills the gap. A sample that only the needle
+    // covers has no depth in a picture: eyes in this box saw through the wall in 13 of 3,000 views.
+    const Vec3f a(0.1f, -7.3f, -5.355f), b(-0.2f, 6.9f, -4.675f), left(-20.0f, 0.3f, -6.985f), right(20.0f, -0.4f, -3.02f);
+    const Vec3f middle(Vec3(a) + 0.3717 * (Vec3(b) - Vec3(a)));
+    const Box3 from{Vec3(-0.5), Vec3(0.5)}, box{Vec3(-3, -3, -9.5), Vec3(3, 3, -9)};
+    const std::vector<uint32_t> withNeedle{0, 1, 2, 0, 3, 4, 4, 3, 1, 0, 4, 1};
+    EXPECT_FALSE(Asked(sceneOf({meshOf({a, b, left, right, middle}, withNeedle, Vec3(0.0))})).hides(from, box));
+    const std::vector<uint32_t> whole{0, 1, 2, 0, 3, 1};
+    EXPECT_TRUE(Asked(sceneOf({meshOf({a, b, left, right}, whole, Vec3(0.0))})).hides(from, box)) << "the same wall without it";
+}
+
+TEST(HidingSheets, wallThatMayBeSeenEdgeOnIsNoPartOfASheet) {
+    // A step between two walls, in whose plane eyes of the box lie: its depths in a picture are chance there.
+    const std::vector<Vec3f> positions{{0, -20, -4}, {0, 20, -4}, {20, 20, -4},  {20, -20, -4},
+                                       {0, -20, -6}, {0, 20, -6}, {-20, 20, -6}, {-20, -20, -6}};
+    const std::vector<uint32_t> indices{0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4};
+    const auto hides = [&](double x) {
+        const Box3 from{Vec3(x - 0.5, -0.5, -0.5), Vec3(x + 0.5, 0.5, 0.5)};
+        return Asked(sceneOf({meshOf(std::vector<Vec3f>(positions), std::vector<uint32_t>(indices), Vec3(0.0))}))
+            .hides(from, {Vec3(-3, -3, -20), Vec3(3, 3, -19)});
+    };
+    EXPECT_FALSE(hides(0.0));
+    EXPECT_FALSE(hides(0.7)) << "nearly edge-on";
+    EXPECT_TRUE(hides(-8.0)) << "seen from its side";
+}
+
 TEST(HidingSheets, whatIsProvenHoldsForEveryLineOfSight) {
     size_t proven = 0;
     for (uint64_t seed = 1; seed <= howMany(20, 4); ++seed) {
