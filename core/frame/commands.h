@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/base/uninitialized.h"
 #include "core/frame/cause.h"
 #include "core/frame/draw_list.h"
 #include "core/geometry/frustum.h"
@@ -36,9 +37,9 @@ using OwnTrianglesPointer = std::shared_ptr<const OwnTriangles>;
 /// A picture that a strategy made without OpenGL, for the culling view. Rows count from the bottom. In the frame it stands in
 /// place of everything before it.
 struct FinishedPicture {
-    Viewport size;                   ///< the culling view's
-    std::vector<uint32_t> triangle;  ///< scene triangle number + 1; 0: nothing
-    std::vector<float> depth;        ///< reversed; 0 where there is nothing
+    Viewport size;                           ///< the culling view's
+    UninitializedVector<uint32_t> triangle;  ///< scene triangle number + 1; 0: nothing
+    UninitializedVector<float> depth;        ///< reversed; 0 where there is nothing
 };
 using FinishedPicturePointer = std::shared_ptr<const FinishedPicture>;
 

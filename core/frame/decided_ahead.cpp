@@ -92,8 +92,8 @@ DrawList drawnInto(Facing facing, std::span<const Decision> said) {
 FinishedPicturePointer namedPart(const FinishedPicture& all, std::span<const Decision> said) {
     auto part = std::make_shared<FinishedPicture>();
     part->size = all.size;
-    part->triangle.resize(all.triangle.size());
-    part->depth.resize(all.depth.size());
+    part->triangle.assign(all.triangle.size(), 0);
+    part->depth.assign(all.depth.size(), 0.0f);
     const auto width = uint32_t(all.size.width);
     bool any = false;
     for (const Decision& decision : said) {

@@ -63,8 +63,8 @@ namespace {
 
 /// What a command holds.
 struct BytesOf {
-    template <typename Value>
-    [[nodiscard]] static uint64_t of(const std::vector<Value>& values) {
+    template <typename Value, typename Allocator>
+    [[nodiscard]] static uint64_t of(const std::vector<Value, Allocator>& values) {
         return values.size() * sizeof(Value);
     }
     uint64_t operator()(const DrawList& list) const { return of(list.ranges); }

@@ -113,8 +113,8 @@ std::optional<FollowedPicture> followDepthBuffer(const SceneOnRaster& scene, con
     drawn.picture = std::make_shared<FinishedPicture>();
     FinishedPicture& picture = *drawn.picture;
     picture.size = scene.size;
-    picture.triangle.resize(pixels);
-    picture.depth.resize(pixels);
+    picture.triangle.assign(pixels, 0);
+    picture.depth.assign(pixels, 0.0f);
     drawn.fates = scene.fates;
     drawn.bytes = triangles.capacity() * sizeof(ScreenTriangle);
     for (const ScreenTriangle& triangle : triangles) {

@@ -53,12 +53,9 @@ inline void drawTile(const TileInts& covered, const TileFloats& depths, uint32_t
     }
 }
 
-/// Whether a tile reaches beyond the picture, and what of it does not.
+/// Whether a tile reaches beyond the picture.
 inline bool reachesBeyond(const RasterBand& band, int32_t column, int32_t row) {
     return column + kTile > band.width || row + kTile > band.endRow;
-}
-inline void cutAtPicture(const RasterBand& band, int32_t column, int32_t row, TileInts& covered) {
-    for (int half = 0; half < 2; ++half) covered[half] &= (kColumns + column < band.width) & (kRows[half] + row < band.endRow);
 }
 
 /// Whether a centre on the edge from corner i to the next one belongs to the triangle: a left edge goes down, one at the bottom
@@ -214,36 +211,65 @@ inline void setUpEight(const PartInBand& part, Batch& batch, size_t first, const
     }
 }
 
-/// Draws a triangle of the batch by its edge functions, tile by tile: inside where all three are at least 0.
+/// Draws a triangle of the batch by its edge functions, tile by tile: inside where all three are at least 0. Which tiles a
+/// triangle covers, and where it is nearer, is chance: nothing branches on it.
 template <typename Lanes>
 inline void drawSmallByHalves(const Batch& batch, size_t i, const RasterBand& band, RasterCounts& counts) {
     const int32_t firstColumn = batch.column[i], endColumn = batch.endColumn[i], endRow = batch.endRow[i];
+    const int32_t width = band.width, endOfBand = band.endRow;
+    const Floats depth = eightOf(batch.depth[i]), depthPerColumn = eightOf(batch.depthPerColumn[i]),
+                 depthPerRow = eightOf(batch.depthPerRow[i]);
+    const Numbers number = Numbers{} + batch.number[i];
+    Ints perTile[3];
     TileInts ofRow[3];
-    for (int e = 0; e < 3; ++e)
+    for (int e = 0; e < 3; ++e) {
+        perTile[e] = Ints{} + kTile * batch.perColumn[e][i];
         for (int half = 0; half < 2; ++half)
             ofRow[e][half] = kColumns * batch.perColumn[e][i] + kRows[half] * batch.perRow[e][i] + batch.edge[e][i];
-    bool covers = false;
+    }
+    Ints comparisons{}, written{};  // each −1
     for (int32_t row = batch.row[i]; row < endRow; row += kTile) {
-        RasterTile* const tiles = band.tiles + size_t((row - band.firstRow) / kTile) * band.tilesInRow;
+        RasterTile* tile = band.tiles + size_t((row - band.firstRow) / kTile) * band.tilesInRow + firstColumn / kTile;
+        const TileFloats rows{kFloatRows[0] + float(row), kFloatRows[1] + float(row)};
+        Floats columns = kFloatColumns + float(firstColumn);
         TileInts edge[3];
         __builtin_memcpy(&edge, &ofRow, sizeof edge);
-        for (int32_t column = firstColumn; column < endColumn; column += kTile) {
+        for (int32_t column = firstColumn; column < endColumn; column += kTile, ++tile, columns += float(kTile)) {
             TileInts covered;
             for (int half = 0; half < 2; ++half) {
                 covered[half] = ~((edge[0][half] | edge[1][half] | edge[2][half]) >> 31);
-                for (int e = 0; e < 3; ++e) edge[e][half] += kTile * batch.perColumn[e][i];
+                for (int e = 0; e < 3; ++e) edge[e][half] += perTile[e];
             }
-            if (reachesBeyond(band, column, row)) cutAtPicture(band, column, row, covered);
-            if (Lanes::countOf(covered) == 0) continue;
-            covers = true;
-            TileFloats depths;
-            depthsIn<Lanes>(batch.depth[i], batch.depthPerColumn[i], batch.depthPerRow[i], column, row, depths);
-            drawTile<Lanes>(covered, depths, batch.number[i], tiles[column / kTile], counts);
+            if (column + kTile > width || row + kTile > endOfBand)
+                for (int half = 0; half < 2; ++half)
+                    covered[half] &= (kColumns + column < width) & (kRows[half] + row < endOfBand);
+            const Floats along = Lanes::fused(depthPerColumn, columns, depth);
+            for (int half = 0; half < 2; ++half) {
+                const Floats here = Lanes::atMostOne(Lanes::fused(depthPerRow, rows[half], along));
+                Floats before;
+                Numbers numbers;
+                load(before, tile->depth + 8 * half);
+                load(numbers, tile->number + 8 * half);
+                const Ints pass = (here > before) & covered[half];
+                store<Floats>(tile->depth + 8 * half, Lanes::chosen(pass, here, before));
+                store<Numbers>(tile->number + 8 * half, Numbers(Lanes::chosen(pass, Floats(number), Floats(numbers))));
+                comparisons += covered[half];
+                written += pass;
+            }
         }
         for (int e = 0; e < 3; ++e)
             for (int half = 0; half < 2; ++half) ofRow[e][half] += kTile * batch.perRow[e][i];
     }
-    if (covers) sayCovers(band, batch.number[i]);
+    const auto sumOf = [](const Ints& ofLanes) {
+        int32_t sum = 0;
+        for (int lane = 0; lane < kLanes; ++lane) sum -= ofLanes[lane];
+        return uint32_t(sum);
+    };
+    const uint32_t compared = sumOf(comparisons);
+    if (compared == 0) return;
+    counts.comparisons += compared;
+    counts.written += sumOf(written);
+    sayCovers(band, batch.number[i]);
 }
 
 template <typename Lanes>

@@ -18,6 +18,12 @@ struct Avx2Lanes {
     static Ints rounded(const Floats& values) { return reinterpret_cast<Ints>(_mm256_cvtps_epi32(values)); }
     /// a · b + c, rounded once.
     static Floats fused(const Floats& a, const Floats& b, const Floats& c) { return _mm256_fmadd_ps(a, b, c); }
+    /// What is no number stays none.
+    static Floats atMostOne(const Floats& values) { return _mm256_min_ps(_mm256_set1_ps(1.0f), values); }
+    /// By a comparison's result.
+    static Floats chosen(const Ints& mask, const Floats& one, const Floats& other) {
+        return _mm256_blendv_ps(other, one, reinterpret_cast<const __m256&>(mask));
+    }
     static void drawSmall(const Batch& batch, size_t i, const RasterBand& band, RasterCounts& counts) {
         drawSmallByHalves<Avx2Lanes>(batch, i, band, counts);
     }

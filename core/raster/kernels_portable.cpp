@@ -30,6 +30,10 @@ struct PortableLanes {
         for (int lane = 0; lane < kLanes; ++lane) sum[lane] = __builtin_fmaf(a[lane], b[lane], c[lane]);
         return sum;
     }
+    /// What is no number stays none.
+    static Floats atMostOne(const Floats& values) { return values > 1.0f ? Floats{} + 1.0f : values; }
+    /// By a comparison's result.
+    static Floats chosen(const Ints& mask, const Floats& one, const Floats& other) { return mask ? one : other; }
     static void drawSmall(const Batch& batch, size_t i, const RasterBand& band, RasterCounts& counts) {
         drawSmallByHalves<PortableLanes>(batch, i, band, counts);
     }

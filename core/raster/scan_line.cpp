@@ -308,8 +308,8 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
     ScanLinePicture result;
     result.picture = std::make_shared<FinishedPicture>();
     result.picture->size = scene.size;
-    result.picture->triangle.resize(pixels);
-    result.picture->depth.resize(pixels);
+    result.picture->triangle.assign(pixels, 0);
+    result.picture->depth.assign(pixels, 0.0f);
     std::vector<std::vector<RowCounts>> counts(scene.bands());
     std::vector<std::vector<RowSpan>> spans(scene.bands());
     std::vector<std::vector<RowStep>> steps(scene.bands());

@@ -27,6 +27,7 @@ public:
     PaintersOrder order() {
         requireRoom(0);
         const auto count = uint32_t(m_triangles.polygons().size());
+        m_pieces.reserve(count);  // growing, a million pieces would be moved between two looks
         for (uint32_t polygon = 0; polygon < count; ++polygon) addPiece(polygon);
         m_result.polygons.reserve(count);
         if (m_options.byCentroid) {

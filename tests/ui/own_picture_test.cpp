@@ -15,7 +15,10 @@ constexpr size_t kLost = 7;
 /// The visible triangles at depths that are rounded otherwise, at some pixels another triangle at such a depth, and nothing at
 /// the first kLost pixels that show something.
 FinishedPicturePointer roundedOtherwise(const Reference& truth, const Viewport& size) {
-    auto picture = std::make_shared<FinishedPicture>(FinishedPicture{size, truth.triangle, truth.depth});
+    auto picture = std::make_shared<FinishedPicture>();
+    picture->size = size;
+    picture->triangle.assign(truth.triangle.begin(), truth.triangle.end());
+    picture->depth.assign(truth.depth.begin(), truth.depth.end());
     size_t lost = 0;
     for (size_t i = 0; i < picture->depth.size(); ++i) {
         if (picture->triangle[i] == 0) continue;

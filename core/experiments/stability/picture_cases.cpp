@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/experiments/stability/case_findings.h"
@@ -71,7 +72,7 @@ Finding sameObjects(const Bench& bench, const StrategyRequest& request, const Sc
             views == 0};
 }
 
-uint64_t pixelsOf(const std::vector<uint32_t>& triangles, uint32_t number) {
+uint64_t pixelsOf(std::span<const uint32_t> triangles, uint32_t number) {
     return uint64_t(std::ranges::count(triangles, number));
 }
 
@@ -202,7 +203,7 @@ Findings pixelRule(const Bench& bench, const StabilityCase& which) {
         GpuFrame frame(bench.renderer, buffers, view);
         strategy->draw(frame, *state);
         const FrameLog log = frame.take();
-        const std::vector<uint32_t>& triangles = std::get<FinishedPicturePointer>(log.commands.back())->triangle;
+        const std::span<const uint32_t> triangles = std::get<FinishedPicturePointer>(log.commands.back())->triangle;
         findings.push_back(number(std::string(id) + ", pixels of the triangle", 10, double(pixelsOf(triangles, 1)), 0));
         findings.push_back(number(std::string(id) + ", pixels of its complement", 6, double(pixelsOf(triangles, 2)), 0));
     }

@@ -131,7 +131,7 @@ protected:
         RayReference traced = rayReference(frame.scene(), frame.view(), frame.facing());
         auto picture = std::make_shared<FinishedPicture>();
         picture->size = traced.size;
-        picture->triangle = std::move(traced.triangle);
+        picture->triangle.assign(traced.triangle.begin(), traced.triangle.end());
         picture->depth.assign(traced.depth.begin(), traced.depth.end());
         if (frame.recording())
             for (const uint32_t instance : byDistance(frame))

@@ -209,8 +209,11 @@ TEST(SmallStrategies, pictureOfAnotherSizeIsRefused) {
         void fill(Structure& /*structure*/, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {}
         void decide(FrameContext& frame, const Structure& /*structure*/, ViewState& /*state*/,
                     const ParameterSet& /*parameters*/) const override {
-            frame.show(
-                std::make_shared<FinishedPicture>(FinishedPicture{{8, 8}, std::vector<uint32_t>(64), std::vector<float>(64)}));
+            auto picture = std::make_shared<FinishedPicture>();
+            picture->size = {8, 8};
+            picture->triangle.assign(64, 0);
+            picture->depth.assign(64, 0.0f);
+            frame.show(std::move(picture));
         }
         [[nodiscard]] Promise promiseOf(const Structure& /*structure*/, const ParameterSet& /*parameters*/,
                                         Facing /*facing*/) const override {
