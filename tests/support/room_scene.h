@@ -7,6 +7,33 @@
 
 namespace cullscope::test {
 
+/// Rooms whose floor, ceiling and walls are closed slabs, of which some walls are missing; where fronts are drawn alone, too,
+/// what is in other rooms is hidden. A room is 1 wide and high.
+inline ScenePointer slabRoomScene(int rooms, Random& random) {
+    constexpr float kThick = 0.05f, kBeyond = 0.03f;  // a slab reaches into those that it meets
+    const auto size = float(rooms);
+    std::vector<MeshPointer> meshes;
+    for (const float y : {-kThick, 1.0f})
+        meshes.push_back(boxMesh(Vec3f(-kThick, y, -kThick), Vec3f(size + kThick, y + kThick, size + kThick)));
+    for (int line = 0; line <= rooms; ++line)
+        for (int room = 0; room < rooms; ++room)
+            for (const bool alongX : {false, true}) {
+                if (line != 0 && line != rooms && random.unit() < 0.15) continue;
+                const float across = float(line) - kThick / 2, begin = float(room) - kBeyond, end = float(room + 1) + kBeyond;
+                const Vec3f low(alongX ? begin : across, -kBeyond, alongX ? across : begin);
+                const Vec3f high(alongX ? end : across + kThick, 1.0f + kBeyond, alongX ? across + kThick : end);
+                meshes.push_back(boxMesh(low, high));
+            }
+    std::vector<Mat4> places(meshes.size(), Mat4(1.0));
+    const MeshPointer box = boxMesh(Vec3f(-0.5f), Vec3f(0.5f));
+    for (int i = 0; i < 3 * rooms * rooms; ++i) {
+        const double x = random.between(0.2, rooms - 0.2), y = random.between(0.1, 0.9), z = random.between(0.2, rooms - 0.2);
+        meshes.push_back(box);
+        places.push_back(translation(Vec3(x, y, z)) * scaling(Vec3(random.between(0.02, 0.2))));
+    }
+    return sceneOf(std::move(meshes), places);
+}
+
 /// Rooms side by side on a square floor, with a ceiling: walls of tiles, of which some are missing, each wall a mesh of its own
 /// about the common `origin`, and closed boxes that stand about. A room is 1 wide and high.
 inline ScenePointer roomScene(int rooms, Random& random, const Vec3& origin = Vec3(0.0), double missing = 0.04) {

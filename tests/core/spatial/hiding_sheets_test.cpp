@@ -139,7 +139,7 @@ TEST(HidingSheets, whatIsProvenHoldsForEveryLineOfSight) {
             return Box3{origin + Vec3(x, y, z),
                         origin + Vec3(x, y, z) + size * Vec3(random.unit(), random.unit(), random.unit())};
         };
-        for (uint64_t pair = 0; pair < howMany(3000, 600); ++pair) {
+        for (uint64_t pair = 0; pair < howMany(3000, 1500); ++pair) {
             const Box3 from = boxOf(0.5), box = boxOf(0.4);
             if (!sheets.hides(from, box, int(pair % 5), work)) continue;
             ++proven;
