@@ -8750,6 +8750,10 @@ OpenGL %2
         <source>Decisions up to this step that fell at these lines: %1. The last one fell at line %2.</source>
         <translation>이 단계까지 이 행들에서 내린 결정: %1개. 마지막 결정은 %2행입니다.</translation>
     </message>
+    <message>
+        <source>No decision has fallen yet. Step on with Page Down.</source>
+        <translation>아직 내려진 결정이 없습니다. Page Down으로 앞으로 가십시오.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LoadingStrip</name>

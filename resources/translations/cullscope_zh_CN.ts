@@ -8750,6 +8750,10 @@ OpenGL %2
         <source>Decisions up to this step that fell at these lines: %1. The last one fell at line %2.</source>
         <translation>到这一步为止在这些行作出的决定：%1 个。最后一个在第 %2 行。</translation>
     </message>
+    <message>
+        <source>No decision has fallen yet. Step on with Page Down.</source>
+        <translation>尚未作出判定。按 Page Down 前进一步。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LoadingStrip</name>

@@ -5,6 +5,7 @@
 #include "tests/support/long_mode.h"
 #include "tests/ui/stepped_window.h"
 #include "ui/panels/curve_panel.h"
+#include "ui/panels/listing_panel.h"
 
 namespace cullscope::ui::stepped_strategies_test {
 namespace {
@@ -149,6 +150,24 @@ struct SteppedBands : SteppedStrategies {
         ASSERT_EQ(stepper().place()->current()->decision->subject.kind, kind);
     }
 };
+
+TEST_F(SteppedBands, currentLineOfTheListingIsInSightInALowWindow) {
+    window.resize(1366, 600);
+    auto* listing = window.structurePanel().findChild<ListingPanel*>();
+    ASSERT_TRUE(listing);
+    window.structurePanel().tabs().setCurrentWidget(listing);
+    ListingView& view = listing->view();
+    begin();
+    EXPECT_FALSE(listing->summary().contains(QLatin1String("line 0"))) << "before the first step";
+    for (const Subject::Kind kind : {Subject::Kind::Object, Subject::Kind::Band}) {
+        ASSERT_NO_FATAL_FAILURE(goTo(kind));
+        const auto seen = [&] {
+            const QModelIndex current = listing->model().index(listing->model().currentRow(), ListingModel::Text);
+            return current.isValid() && view.viewport()->visibleRegion().contains(view.visualRect(current).center());
+        };
+        EXPECT_TRUE(waitUntil(seen)) << "line " << listing->model().currentRow() + 1;
+    }
+}
 
 TEST_F(SteppedBands, curveShowsTheSectorInHandUpToItsBandAndMarksIt) {
     StructurePanel& panel = window.structurePanel();

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QPaintEvent>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -23,7 +24,27 @@ int ListingView::wholeHeight() const {
 }
 
 void ListingView::showCurrent() {
-    if (m_model.currentRow() >= 0) scrollTo(m_model.index(m_model.currentRow(), ListingModel::Mark), PositionAtCenter);
+    if (m_model.currentRow() < 0) return;
+    const QModelIndex current = m_model.index(m_model.currentRow(), ListingModel::Mark);
+    scrollTo(current, PositionAtCenter);
+    if (!m_follows || !isVisible()) return;
+    // In a low window the lines reach below what its panels' place shows.
+    const QRect line = visualRect(current);
+    for (QWidget* place = parentWidget(); place != nullptr; place = place->parentWidget())
+        if (auto* area = qobject_cast<QScrollArea*>(place); area != nullptr && area->widget()->isAncestorOf(this))
+            area->ensureVisible(0, viewport()->mapTo(area->widget(), line.center()).y(), 0, line.height());
+}
+
+void ListingView::showCurrentLater() { QMetaObject::invokeMethod(this, &ListingView::showCurrent, Qt::QueuedConnection); }
+
+void ListingView::follow(bool follows) {
+    if (follows && !std::exchange(m_follows, follows)) showCurrentLater();
+    m_follows = follows;
+}
+
+void ListingView::showEvent(QShowEvent* event) {
+    QTableView::showEvent(event);
+    showCurrentLater();
 }
 
 QRect ListingView::wholeLines() const {
@@ -47,7 +68,7 @@ void ListingView::updateGeometries() {
     // Lines of another font are higher. Queued: to scroll may lay the lines out.
     const QSize laidOut(verticalHeader()->length(), viewport()->height());
     if (laidOut == std::exchange(m_laidOut, laidOut)) return;
-    QMetaObject::invokeMethod(this, &ListingView::showCurrent, Qt::QueuedConnection);
+    showCurrentLater();
 }
 
 ListingPanel::ListingPanel(Session& session, SnapshotReader& reader, QWidget* parent)
@@ -107,6 +128,7 @@ QString ListingPanel::summary() const {
     const SnapshotReadingPointer reading = this->reading();
     if (!reading) return tr("The strategy's decisions are being read…");
     const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    if (reading->upTo && reading->listing->current == 0) return tr("No decision has fallen yet. Step on with Page Down.");
     if (reading->upTo)
         return tr("Decisions up to this step that fell at these lines: %1. The last one fell at line %2.")
             .arg(countText(reading->listing->total()))
@@ -133,6 +155,7 @@ void ListingPanel::refresh() {
                                                                  : picked ? reading->pickedListing
                                                                           : reading->listing);
     m_summary->setText(summary());
+    m_view->follow(reading && reading->upTo);
     m_view->setAccessibleName(tr("Lines of the strategy"));
     m_view->setAccessibleDescription(m_summary->text());
 }

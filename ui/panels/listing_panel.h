@@ -16,19 +16,24 @@ class ListingView : public QTableView {
 public:
     ListingView(ListingModel& model, QWidget* parent);
 
+    /// Whether what the panel stands in is scrolled to the current line too, as while a frame is stepped.
+    void follow(bool follows);
     /// The height of all lines, with the header where it is shown.
     [[nodiscard]] int wholeHeight() const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void updateGeometries() override;
 
 private:
     void showCurrent();
+    void showCurrentLater();
     /// The part of the viewport that has whole lines. Scrolled to its end, the view has half a line at the top.
     [[nodiscard]] QRect wholeLines() const;
 
     ListingModel& m_model;
+    bool m_follows = false;
     QSize m_laidOut;  ///< the heights of all lines and of the viewport when the current line was last brought into sight
 };
 
