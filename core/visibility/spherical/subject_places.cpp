@@ -131,6 +131,9 @@ public:
     explicit PlacesOnMaps(std::shared_ptr<const MapDetails> maps) : m_maps(std::move(maps)) {}
 
     [[nodiscard]] std::optional<SubjectPlace> of(const Scene& scene, const Decision& decision) const override {
+        // A strategy that walks a tree of cells compares objects' boxes first.
+        const bool bySphere = !m_maps->maps.empty() && !m_maps->maps.front().tree;
+        if (decision.subject.kind == Subject::Kind::Object && bySphere) return sphereOf(scene, decision.subject.object);
         const auto found = std::ranges::find_if(
             m_maps->maps, [&](const MapSnapshot& map) { return map.decision.instance == decision.subject.object; });
         if (found == m_maps->maps.end()) return std::nullopt;
@@ -140,6 +143,22 @@ public:
     }
 
 private:
+    /// What is compared with the frustum's planes: three great circles of the object's sphere.
+    [[nodiscard]] static SubjectPlace sphereOf(const Scene& scene, uint32_t object) {
+        const Sphere& sphere = scene.instanceSphere(object);
+        SubjectPlace place;
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<Vec3>& circle = place.lines.emplace_back();
+            alongSteps(0.0, kTurn, [&](double angle) {
+                Vec3 direction(0.0);
+                direction[(axis + 1) % 3] = std::cos(angle);
+                direction[(axis + 2) % 3] = std::sin(angle);
+                circle.push_back(sphere.centre + sphere.radius * direction);
+            });
+        }
+        return place;
+    }
+
     /// Whether the subject could be placed.
     [[nodiscard]] static bool add(const MapSnapshot& map, const Decision& said, PlaceMaker& maker) {
         const SphericalDecision& decision = map.decision;

@@ -77,6 +77,17 @@ TEST(SubjectPlaces, rayIsALineFromTheEyeToTheTriangleThatItHits) {
     EXPECT_GT(hits, 0u);
 }
 
+TEST(SubjectPlaces, objectIsItsSphereWhichIsComparedWithThePlanes) {
+    const Stepped stepped("spherical", 3.0, 20.0);
+    const size_t objects = stepped.each(Subject::Kind::Object, [&](const Decision& /*decision*/, const SubjectShape& shape) {
+        EXPECT_EQ(shape.object, 0u);
+        EXPECT_TRUE(shape.boxes.empty()) << "the planes are not compared with its box";
+        ASSERT_EQ(shape.lines.size(), 3u);
+        for (const std::vector<Vec3>& circle : shape.lines) EXPECT_TRUE(stepped.onSphere(circle));
+    });
+    EXPECT_GT(objects, 0u);
+}
+
 TEST(SubjectPlaces, walkedCellIsOutlinedOnTheSphereAndOnTheMap) {
     const Stepped stepped("spherical", 3.0, 20.0);
     const spherical::MapSnapshot& map = spherical::mapsOf(stepped.snapshot).front();
