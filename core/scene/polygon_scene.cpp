@@ -82,7 +82,9 @@ private:
         for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
             double value = 0.0;
             if (!parseReal(word, value) || !(std::abs(value) <= kLargestCoordinate))
-                refuse(CULLSCOPE_TR("%1, line %2: \"%3\" is not a usable number."), shownWord(word));
+                refuse(CULLSCOPE_TR("%1, line %2: \"%3\" is not a usable number. Write one from -1e30 to 1e30, with a point "
+                                    "for decimals."),
+                       shownWord(word));
             values.push_back(value);
         }
         return values;
@@ -110,7 +112,8 @@ private:
     void requireFlat(const std::vector<Vec3>& corners) const {
         const Vec3 area = doubledArea(corners);
         const double length = glm::length(area);
-        if (!(length > 0.0)) refuse(CULLSCOPE_TR("%1, line %2: the polygon has no area."));
+        if (!(length > 0.0))
+            refuse(CULLSCOPE_TR("%1, line %2: the polygon has no area. Give it corners around a face, not all on one line."));
         double size = 0.0, away = 0.0;
         for (const Vec3& corner : corners) {
             size = std::max(size, glm::length(corner - corners.front()));
@@ -135,7 +138,8 @@ private:
                                 "normal, six numbers; here are %3."),
                    std::to_string(values.size()));
         }
-        if (plane.normal == Vec3(0.0)) refuse(CULLSCOPE_TR("%1, line %2: the plane's normal is 0."));
+        if (plane.normal == Vec3(0.0))
+            refuse(CULLSCOPE_TR("%1, line %2: the plane's normal is 0. At least one of its three numbers must not be 0."));
         m_remarks.planes.push_back(std::move(plane));
     }
 

@@ -2982,16 +2982,8 @@
         <translation>%1, %2행: 이름 &quot;%3&quot;이(가) 두 번 쓰였습니다. 각각 다른 이름을 주십시오.</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a usable number.</source>
-        <translation>%1, %2행: &quot;%3&quot;은(는) 쓸 수 있는 수가 아닙니다.</translation>
-    </message>
-    <message>
         <source>%1, line %2: a polygon has three coordinates for each of three or more corners; here are %3 numbers.</source>
         <translation>%1, %2행: 다각형은 셋 이상의 꼭짓점마다 좌표 셋을 가집니다. 여기에는 수가 %3개 있습니다.</translation>
-    </message>
-    <message>
-        <source>%1, line %2: the polygon has no area.</source>
-        <translation>%1, %2행: 다각형에 넓이가 없습니다.</translation>
     </message>
     <message>
         <source>%1, line %2: the polygon&apos;s corners do not lie in one plane. Write it as several polygons.</source>
@@ -3000,10 +2992,6 @@
     <message>
         <source>%1, line %2: a plane is written as a b c d, for ax + by + cz + d = 0, or as a point and a normal, six numbers; here are %3.</source>
         <translation>%1, %2행: 평면은 ax + by + cz + d = 0 의 a b c d 로, 또는 점과 법선의 수 여섯 개로 씁니다. 여기에는 %3개가 있습니다.</translation>
-    </message>
-    <message>
-        <source>%1, line %2: the plane&apos;s normal is 0.</source>
-        <translation>%1, %2행: 평면의 법선이 0입니다.</translation>
     </message>
     <message>
         <source>%1, line %2: the file has a camera already.</source>
@@ -4980,10 +4968,6 @@
     <message>
         <source>exists</source>
         <translation>있음</translation>
-    </message>
-    <message>
-        <source>any hit: the region between them</source>
-        <translation>하나라도 맞으면 그 사이 영역</translation>
     </message>
     <message>
         <source>else bands: S &gt; S before it?</source>
@@ -7533,6 +7517,22 @@
         <source>a pyramid of the depth that the frame has drawn, on the GPU</source>
         <translation>프레임이 그린 깊이의 피라미드로, GPU에서</translation>
     </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is not a usable number. Write one from -1e30 to 1e30, with a point for decimals.</source>
+        <translation>%1, %2행: &quot;%3&quot;은(는) 쓸 수 있는 수가 아닙니다. 소수점은 점으로, -1e30에서 1e30까지의 수를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon has no area. Give it corners around a face, not all on one line.</source>
+        <translation>%1, %2행: 다각형에 넓이가 없습니다. 꼭짓점을 면 둘레에, 한 직선 위에만 있지 않게 두십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the plane&apos;s normal is 0. At least one of its three numbers must not be 0.</source>
+        <translation>%1, %2행: 평면의 법선이 0입니다. 세 수 가운데 적어도 하나는 0이 아니어야 합니다.</translation>
+    </message>
+    <message>
+        <source>any hit: region between them</source>
+        <translation>하나라도 맞으면 그 사이 영역</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8883,6 +8883,14 @@ OpenGL %2
     <message>
         <source>This strategy has no %1.</source>
         <translation>이 전략에는 %1이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>Up to this step there is no %1.</source>
+        <translation>이 단계까지는 %1이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>This frame has no %1.</source>
+        <translation>이 프레임에는 %1이(가) 없습니다.</translation>
     </message>
 </context>
 <context>

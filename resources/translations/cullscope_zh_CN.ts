@@ -2982,16 +2982,8 @@
         <translation>%1 第 %2 行：名称“%3”用了两次。请各取其名。</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a usable number.</source>
-        <translation>%1 第 %2 行：“%3”不是可用的数。</translation>
-    </message>
-    <message>
         <source>%1, line %2: a polygon has three coordinates for each of three or more corners; here are %3 numbers.</source>
         <translation>%1 第 %2 行：多边形有三个或更多顶点，每个顶点三个坐标；此处有 %3 个数。</translation>
-    </message>
-    <message>
-        <source>%1, line %2: the polygon has no area.</source>
-        <translation>%1 第 %2 行：多边形没有面积。</translation>
     </message>
     <message>
         <source>%1, line %2: the polygon&apos;s corners do not lie in one plane. Write it as several polygons.</source>
@@ -3000,10 +2992,6 @@
     <message>
         <source>%1, line %2: a plane is written as a b c d, for ax + by + cz + d = 0, or as a point and a normal, six numbers; here are %3.</source>
         <translation>%1 第 %2 行：平面写作 a b c d，即 ax + by + cz + d = 0，或写作一点和法线共六个数；此处有 %3 个。</translation>
-    </message>
-    <message>
-        <source>%1, line %2: the plane&apos;s normal is 0.</source>
-        <translation>%1 第 %2 行：平面的法线为 0。</translation>
     </message>
     <message>
         <source>%1, line %2: the file has a camera already.</source>
@@ -4980,10 +4968,6 @@
     <message>
         <source>exists</source>
         <translation>存在</translation>
-    </message>
-    <message>
-        <source>any hit: the region between them</source>
-        <translation>有击中：其间的区域</translation>
     </message>
     <message>
         <source>else bands: S &gt; S before it?</source>
@@ -7533,6 +7517,22 @@
         <source>a pyramid of the depth that the frame has drawn, on the GPU</source>
         <translation>本帧所绘深度的金字塔，在 GPU 上</translation>
     </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is not a usable number. Write one from -1e30 to 1e30, with a point for decimals.</source>
+        <translation>%1 第 %2 行：“%3”不是可用的数。请写 -1e30 到 1e30 之间的数，小数用点表示。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon has no area. Give it corners around a face, not all on one line.</source>
+        <translation>%1 第 %2 行：多边形没有面积。请让各角围成一个面，不要都在一条直线上。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the plane&apos;s normal is 0. At least one of its three numbers must not be 0.</source>
+        <translation>%1 第 %2 行：平面的法线为 0。三个数中至少有一个不能为 0。</translation>
+    </message>
+    <message>
+        <source>any hit: region between them</source>
+        <translation>有击中：其间的区域</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8883,6 +8883,14 @@ OpenGL %2
     <message>
         <source>This strategy has no %1.</source>
         <translation>该策略没有%1。</translation>
+    </message>
+    <message>
+        <source>Up to this step there is no %1.</source>
+        <translation>到这一步为止没有%1。</translation>
+    </message>
+    <message>
+        <source>This frame has no %1.</source>
+        <translation>此帧没有%1。</translation>
     </message>
 </context>
 <context>

@@ -130,6 +130,21 @@ TEST_F(LiveMapPanelTest, aStrategyThatIsStillBuiltIsSaidToBePrepared) {
     EXPECT_FALSE(denied);
 }
 
+TEST_F(LiveMapPanelTest, beforeTheStepThatMakesTheMapItIsSaidThatThereIsNoneYet) {
+    session.slot(1).choose("spherical");
+    settle();
+    Stepper stepper(session);
+    stepper.start();
+    ASSERT_TRUE(waitUntil([&] { return stepper.place() && session.step(); }));
+    const auto atStep = [&] { return reader.fresh() && reader.reading()->upTo == session.step()->place; };
+    stepper.jump(0);
+    ASSERT_TRUE(waitUntil([&] { return stepper.place()->step() == 0 && atStep(); }));
+    EXPECT_EQ(panel.sentence(), QStringLiteral("Up to this step there is no index map."));
+    EXPECT_TRUE(panel.map().isHidden());
+    stepper.toEnd();
+    EXPECT_TRUE(waitUntil([&] { return atStep() && !shown().empty(); }));
+}
+
 TEST(LiveMapPanel, withoutASceneThereIsNothingToPrepare) {
     Session session{sessionOptions(false)};
     SnapshotReader reader{session};

@@ -6,8 +6,12 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QSlider>
 #include <QSpinBox>
+
+#include "core/visibility/registry.h"
+#include "ui/text/language.h"
 
 namespace cullscope::ui::parameter_form_test {
 namespace {
@@ -167,6 +171,37 @@ TEST_F(Form, anotherLanguageKeepsTheValues) {
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     EXPECT_EQ(spin("count")->value(), 11);
     EXPECT_EQ(edits, 1);
+}
+
+/// The sentences that are shown without their first or last line.
+QStringList cutSentences(const QWidget& form) {
+    QStringList cut;
+    for (const QLabel* label : form.findChildren<QLabel*>())
+        if (label->isVisible() && label->wordWrap() && label->height() < label->heightForWidth(label->width()))
+            cut << label->text();
+    return cut;
+}
+
+/// A scroll bar that appears makes the form narrower, and its page asks once how high it becomes.
+TEST(ParameterForms, heightThatAFormStatesForAnotherWidthHasRoomForEverySentenceInEveryLanguage) {
+    Language language;
+    for (const char* spoken : {"en", "ko", "zh_CN"}) {
+        language.use(QString::fromLatin1(spoken));
+        for (const RegisteredStrategy& strategy : strategies()) {
+            ParameterForm form;
+            form.setParameters(ParameterSet(strategy.info.parameters));
+            form.resize(600, 1500);
+            form.show();
+            for (const int width : {260, 246, 232, 400, 218}) {
+                form.resize(width, form.heightForWidth(width));
+                const QStringList cut = cutSentences(form);
+                EXPECT_TRUE(cut.isEmpty()) << spoken << ", " << strategy.info.id << ", " << width << " pixels wide:\n"
+                                           << cut.join(QLatin1Char('\n')).toStdString();
+                EXPECT_LE(form.minimumSizeHint().width(), 232) << strategy.info.id << ": wider than its page";
+            }
+        }
+    }
+    language.use(QStringLiteral("en"));
 }
 
 }  // namespace

@@ -112,11 +112,21 @@ void MapPanel::setColouring(const std::string& id) {
     m_map->setColouring(id);
 }
 
-void MapPanel::showSentence() {
-    const QString words = absenceWords(absence(m_session, m_reader));
+/// Why a settled view has no map: its strategy never has one, or this frame has none, as before the step that makes it.
+QString MapPanel::noMapSentence() const {
+    if (const Show* own = shownStrategy(m_session).first(Show::Kind::DirectionMap)) {
+        const QString map = translated(own->title);
+        return m_session.stepOf(m_reader.view()) ? tr("Up to this step there is no %1.").arg(map)
+                                                 : tr("This frame has no %1.").arg(map);
+    }
     QStringList maps;
     for (const Show* show : declaredShows(Show::Kind::DirectionMap)) maps << translated(show->title);
-    m_sentence->setText(words.isEmpty() ? tr("This strategy has no %1.").arg(maps.join(QStringLiteral(", "))) : words);
+    return tr("This strategy has no %1.").arg(maps.join(QStringLiteral(", ")));
+}
+
+void MapPanel::showSentence() {
+    const QString words = absenceWords(absence(m_session, m_reader));
+    m_sentence->setText(words.isEmpty() ? noMapSentence() : words);
     m_sentence->setToolTip(tr("Strategies that look up what is visible by direction show their map here."));
 }
 

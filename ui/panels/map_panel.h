@@ -46,6 +46,7 @@ private:
     void layOut();
     void refresh();
     void retranslate();
+    [[nodiscard]] QString noMapSentence() const;
     void showSentence();
     /// Lists the colourings that the map has. If the present one is not among them, changes to the first.
     void offerColourings(const CellMap& map);

@@ -4,10 +4,10 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/look/wheel_guard.h"
@@ -17,6 +17,9 @@
 namespace cullscope::ui {
 
 namespace {
+
+constexpr int kNarrowPage = 232;  // pixels that a row has in the panel beside the views
+constexpr int kKeyColumn = 64;    // fields stand below each other, but for those of longer keys
 
 bool sameDeclarations(const ParameterSet& a, const ParameterSet& b) {
     const auto key = [](const ParameterDeclaration& x, const ParameterDeclaration& y) {
@@ -54,9 +57,11 @@ void ParameterForm::rebuild() {
     }
     m_stops.clear();
     m_fields = new QWidget(this);
-    auto* form = new QFormLayout(m_fields);
+    // A QFormLayout states the height that wrapped sentences had at its last width, and they are cut at the next one.
+    auto* form = new QVBoxLayout(m_fields);
     form->setContentsMargins(0, 0, 0, 0);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    std::vector<QLabel*> keys;
+    int column = 0;
     for (const ParameterDeclaration& declaration : m_parameters.declarations()) {
         QWidget* editor = field(declaration);
         const QString sentence = translated(declaration.description);
@@ -64,18 +69,29 @@ void ParameterForm::rebuild() {
         auto* explanation = new QLabel(sentence);
         explanation->setWordWrap(true);
         explanation->setBuddy(editor);
-        form->addRow(explanation);
+        form->addWidget(explanation);
         auto* key = new QLabel(QString::fromStdString(declaration.key));
         key->setEnabled(false);
         key->setToolTip(tr("As on the command line: %1").arg(commandLineText(declaration)));
         editor->setToolTip(sentence);
-        form->addRow(key, editor);
-        if (auto* choices = qobject_cast<QComboBox*>(editor)) form->addRow(meaningOfChoice(*choices));
+        // A row has both where a narrow page has room for them; else the field comes below its key.
+        const int wide = key->sizeHint().width();
+        const bool beside = wide + editor->minimumSizeHint().width() + form->spacing() <= kNarrowPage;
+        auto* row = new QBoxLayout(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        row->addWidget(key);
+        row->addWidget(editor, 1);
+        form->addLayout(row);
+        if (beside) {
+            keys.push_back(key);
+            column = std::max(column, std::min(wide, kKeyColumn));
+        }
+        if (auto* choices = qobject_cast<QComboBox*>(editor)) form->addWidget(meaningOfChoice(*choices));
     }
+    for (QLabel* key : keys) key->setMinimumWidth(column);
     if (m_parameters.declarations().empty()) {
         auto* none = new QLabel(tr("This strategy has no parameters."));
         none->setWordWrap(true);
-        form->addRow(none);
+        form->addWidget(none);
     }
     layout()->addWidget(m_fields);
     orderTabs();

@@ -128,7 +128,8 @@ void StrategyPanel::showMissed() {
 void StrategyPanel::refresh() {
     const StrategySlot& slot = m_session.slot(culling());
     const StrategyInfo& info = findStrategy(slot.id()).info;
-    setTitle(m_session.viewCount() > 1 ? tr("Strategy of view %1").arg(viewLetter(culling())) : tr("Strategy"));
+    // Of one view, the page's own title is enough.
+    setTitle(m_session.viewCount() > 1 ? tr("Strategy of view %1").arg(viewLetter(culling())) : QString());
     m_choice->setCurrentIndex(m_model->rowOf(slot.id()));
     m_choice->setAccessibleName(tr("Strategy"));
     m_choice->setToolTip(translated(info.description));

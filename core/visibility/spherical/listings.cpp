@@ -18,7 +18,7 @@ Show bandsListing() {
                         {CULLSCOPE_TR("around the eye, flat: draw all"), 1},
                         {CULLSCOPE_TR("cut: follow four corner rays"), 1},
                         {CULLSCOPE_TR("cell by cell: a triangle hit?"), 2},
-                        {CULLSCOPE_TR("any hit: the region between them"), 2},
+                        {CULLSCOPE_TR("any hit: region between them"), 2},
                         {CULLSCOPE_TR("draw boxes of cells around it"), 2},
                         {CULLSCOPE_TR("else bands: S > S before it?"), 1},
                         {CULLSCOPE_TR("yes, or the near half: draw it"), 2}});

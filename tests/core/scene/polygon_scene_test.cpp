@@ -56,11 +56,11 @@ TEST(PolygonScene, badLinesAreNamedWithWhatIsWrong) {
     EXPECT_THAT(refusal(good + "polygon A 0 0 0 1 0 0 0 1 0"), HasSubstr("line 2: the name \"A\" is used twice"));
     EXPECT_THAT(refusal("polygon 0 0 0 1 0 0 0 1 0"), HasSubstr("line 1: a name is missing"));
     EXPECT_THAT(refusal(good + "\npolygon B 0 0 0 1 0 0"), HasSubstr("line 3: a polygon has three coordinates"));
-    EXPECT_THAT(refusal("polygon B 0 0 0 1 0 x 0 1 0"), HasSubstr("\"x\" is not a usable number"));
+    EXPECT_THAT(refusal("polygon B 0 0 0 1 0 x 0 1 0"), HasSubstr("\"x\" is not a usable number. Write one from -1e30 to 1e30"));
     EXPECT_THAT(refusal("polygon B 0 0 0 1 0 nan 0 1 0"), HasSubstr("\"nan\" is not a usable number"));
-    EXPECT_THAT(refusal("polygon B 0 0 0 1 0 0 2 0 0"), HasSubstr("has no area"));
+    EXPECT_THAT(refusal("polygon B 0 0 0 1 0 0 2 0 0"), HasSubstr("has no area. Give it corners"));
     EXPECT_THAT(refusal("polygon B 0 0 0 1 0 0 1 1 1 0 1 0"), HasSubstr("do not lie in one plane"));
-    EXPECT_THAT(refusal(good + "plane P 0 0 0 1"), HasSubstr("the plane's normal is 0"));
+    EXPECT_THAT(refusal(good + "plane P 0 0 0 1"), HasSubstr("the plane's normal is 0. At least one"));
     EXPECT_THAT(refusal(good + "plane P 1 0 0"), HasSubstr("a plane is written as a b c d"));
     EXPECT_THAT(refusal(good + "eye 1 2"), HasSubstr("an eye has three numbers"));
     EXPECT_THAT(refusal(good + "eye 1 2 3\ncamera 0 0 0 1 1 1"), HasSubstr("line 3: the file has a camera already"));

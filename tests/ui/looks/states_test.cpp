@@ -43,6 +43,12 @@ TEST(States, aLargeScreenHasTheStrategyBesideTheViews) {
     EXPECT_EQ(desktop.window.side().openPage(), 0);
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("1920x1080")));
     EXPECT_EQ(cut(desktop), QStringList());
+    // More parameters than have room, so that a scroll bar makes their sentences narrower.
+    desktop.session.setViewCount(1);
+    desktop.session.slot(0).choose("spherical");
+    desktop.settle();
+    EXPECT_EQ(desktop.window.side().openPage(), 0);
+    EXPECT_EQ(cut(desktop), QStringList());
 }
 
 TEST(States, beforeASceneIsOpenedTheWindowInvites) {
