@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -21,6 +22,10 @@ namespace {
 constexpr std::array kPlainFonts{"DejaVuSans.ttf", "NotoSans-Regular.ttf", "LiberationSans-Regular.ttf", "FreeSans.ttf"};
 constexpr std::array kSquareFonts{"NotoSansCJK-Regular.ttc", "NotoSansCJKkr-Regular.otf", "NanumGothic.ttf", "wqy-zenhei.ttc"};
 constexpr std::array kFontFolders{"/usr/share/fonts", "/usr/local/share/fonts"};
+
+/// The languages whose forms of the same characters differ. A collection of fonts has a face of each.
+enum class Writing : uint8_t { Chinese, Japanese, Korean };
+constexpr std::array kFamilyEnds{" SC", " JP", " KR"};  ///< of a face's family, by Writing
 
 constexpr double kFixed = 64.0;          ///< FreeType counts 64ths of a pixel
 constexpr double kBoldShare = 1 / 18.0;  ///< of the size: by how much bold strokes are wider
@@ -49,6 +54,31 @@ std::u32string charactersOf(const std::string& text) {
     return characters;
 }
 
+/// Kana are Japanese alone, syllables of Hangul Korean; characters without either are taken as mainland China's.
+Writing writingOf(const std::u32string& characters) {
+    const auto within = [](char32_t character, char32_t from, char32_t to) { return character >= from && character <= to; };
+    for (const char32_t each : characters) {
+        if (within(each, 0xAC00, 0xD7A3) || within(each, 0x1100, 0x11FF) || within(each, 0x3130, 0x318F)) return Writing::Korean;
+        if (within(each, 0x3041, 0x30FF)) return Writing::Japanese;
+    }
+    return Writing::Chinese;
+}
+
+/// The index of the face of a file for a kind of writing; 0 where the file has none of its own for it.
+FT_Long faceFor(FT_Library library, const std::filesystem::path& file, Writing writing) {
+    const std::string_view end = kFamilyEnds[size_t(writing)];
+    FT_Long count = 1;
+    for (FT_Long i = 0; i < count; ++i) {
+        FT_Face face = nullptr;
+        if (FT_New_Face(library, file.c_str(), i, &face) != 0) break;
+        count = face->num_faces;
+        const bool found = face->family_name != nullptr && std::string_view(face->family_name).ends_with(end);
+        FT_Done_Face(face);
+        if (found) return i;
+    }
+    return 0;
+}
+
 }  // namespace
 
 struct Letters::Fonts {
@@ -60,30 +90,42 @@ struct Letters::Fonts {
     Fonts(const Fonts&) = delete;
     Fonts& operator=(const Fonts&) = delete;
 
-    template <size_t Count>
-    void openFirst(const std::map<std::string, std::filesystem::path>& installed, const std::array<const char*, Count>& names) {
-        for (const char* name : names) {
+    FT_Face open(const std::filesystem::path& file, FT_Long index) {
+        FT_Face face = nullptr;
+        if (FT_New_Face(library, file.c_str(), index, &face) != 0) return nullptr;
+        faces.push_back(face);
+        FT_Set_Char_Size(face, 0, FT_F26Dot6(std::lround(pixels * kFixed)), 72, 72);
+        return face;
+    }
+
+    void openAll() {
+        const std::map<std::string, std::filesystem::path> installed = installedFonts();
+        for (const char* name : kPlainFonts)
+            if (const auto file = installed.find(name); file != installed.end())
+                if ((plain = open(file->second, 0)) != nullptr) break;
+        for (const char* name : kSquareFonts) {
             const auto file = installed.find(name);
-            FT_Face face = nullptr;
-            if (file == installed.end() || FT_New_Face(library, file->second.c_str(), 0, &face) != 0) continue;
-            faces.push_back(face);
-            FT_Set_Char_Size(face, 0, FT_F26Dot6(std::lround(pixels * kFixed)), 72, 72);
-            return;
+            if (file == installed.end()) continue;
+            for (const Writing writing : {Writing::Chinese, Writing::Japanese, Writing::Korean})
+                square[size_t(writing)] = open(file->second, faceFor(library, file->second, writing));
+            if (square[0] != nullptr) break;
         }
     }
 
-    /// The first font that has a character; the first font of all where none has it.
-    [[nodiscard]] FT_Face faceOf(char32_t character) const {
-        for (FT_Face face : faces)
-            if (FT_Get_Char_Index(face, character) != 0) return face;
+    /// The first font that has a character, as a kind of writing has it; the first font of all where none has it.
+    [[nodiscard]] FT_Face faceOf(char32_t character, Writing writing) const {
+        for (FT_Face face : {plain, square[size_t(writing)]})
+            if (face != nullptr && FT_Get_Char_Index(face, character) != 0) return face;
         return faces.front();
     }
 
     /// Calls `use(glyph, advance in pixels)` of each character.
     template <typename Use>
     void forEach(const std::string& words, bool bold, const Use& use) const {
-        for (const char32_t character : charactersOf(words)) {
-            FT_Face face = faceOf(character);
+        const std::u32string characters = charactersOf(words);
+        const Writing writing = writingOf(characters);
+        for (const char32_t character : characters) {
+            FT_Face face = faceOf(character, writing);
             if (FT_Load_Char(face, character, FT_LOAD_NO_HINTING) != 0) continue;
             double advance = double(face->glyph->advance.x) / kFixed;
             if (bold && face->glyph->format == FT_GLYPH_FORMAT_OUTLINE) {
@@ -96,16 +138,14 @@ struct Letters::Fonts {
 
     double pixels = 0.0;
     FT_Library library = nullptr;
-    std::vector<FT_Face> faces;
+    std::vector<FT_Face> faces;       ///< all that are open
+    FT_Face plain = nullptr;          ///< of Latin and Greek letters; null: not installed
+    std::array<FT_Face, 3> square{};  ///< of the others, by Writing; null: not installed
 };
 
 Letters::Letters(double pixels) : m_fonts(std::make_unique<Fonts>()) {
     m_fonts->pixels = pixels;
-    if (FT_Init_FreeType(&m_fonts->library) == 0) {
-        const std::map<std::string, std::filesystem::path> installed = installedFonts();
-        m_fonts->openFirst(installed, kPlainFonts);
-        m_fonts->openFirst(installed, kSquareFonts);
-    }
+    if (FT_Init_FreeType(&m_fonts->library) == 0) m_fonts->openAll();
     if (m_fonts->faces.empty())
         throwUsage(
             CULLSCOPE_TR("There is no font for the picture's letters: install the package fonts-noto-cjk or "

@@ -8,7 +8,8 @@
 namespace cullscope {
 
 /// Letters of the installed fonts at one size, drawn without a window by FreeType: Latin and Greek ones, Korean syllables and
-/// Chinese characters, each as it stands in the text. A letter that no font has is an empty box.
+/// Chinese characters, each as it stands in the text: in words with Hangul or kana as Korea or Japan write them, else as mainland
+/// China does. A letter that no font has is an empty box.
 class Letters {
 public:
     /// `pixels`: the size of the letters (em). Throws Error(Usage) where none of the fonts that the program knows is installed.

@@ -1747,7 +1747,7 @@
     </message>
     <message>
         <source>horizon of the kernel</source>
-        <translation>核的地平线</translation>
+        <translation>内核的地平线</translation>
     </message>
     <message>
         <source>groups of objects</source>
@@ -1819,11 +1819,11 @@
     </message>
     <message>
         <source>The kernel&apos;s horizon is not used: %1.</source>
-        <translation>未使用核的地平线：%1。</translation>
+        <translation>未使用内核的地平线：%1。</translation>
     </message>
     <message>
         <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
-        <translation>此处未使用核的地平线：近平面切过包围球，物体在图像中太小，或该测试已关闭。</translation>
+        <translation>此处未使用内核的地平线：近平面切过包围球，物体在图像中太小，或该测试已关闭。</translation>
     </message>
     <message>
         <source>The object has too few triangles to be divided: it is one cell.</source>
@@ -2267,11 +2267,11 @@
     </message>
     <message>
         <source>Kernel</source>
-        <translation>核</translation>
+        <translation>内核</translation>
     </message>
     <message>
         <source>R of the kernel, of the sphere&apos;s</source>
-        <translation>核的 R，占球半径的比例</translation>
+        <translation>内核的 R，占球半径的比例</translation>
     </message>
     <message>
         <source>Triangle index map</source>
@@ -2311,15 +2311,15 @@
     </message>
     <message>
         <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
-        <translation>没有核：地平线已关闭，或网格太小</translation>
+        <translation>没有内核：地平线已关闭，或网格太小</translation>
     </message>
     <message>
         <source>No kernel: %1</source>
-        <translation>没有核：%1</translation>
+        <translation>没有内核：%1</translation>
     </message>
     <message>
         <source>Kernel filled to R %1 at least</source>
-        <translation>核至少填充到 R %1</translation>
+        <translation>内核至少填充到 R %1</translation>
     </message>
     <message>
         <source>Horizon not used: the eye is inside the bounding sphere</source>

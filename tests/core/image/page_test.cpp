@@ -36,6 +36,23 @@ TEST(Letters, ofEveryLanguageOfTheProgramAreTheirOwn) {
     }
 }
 
+TEST(Letters, charactersHaveTheFormsOfTheirLanguage) {
+    const Letters letters(40.0);
+    // The first letter alone, which is as wide as high.
+    const auto firstOf = [&](const std::string& words) {
+        Canvas canvas({60, 60}, Vec3f(1.0f), 1.0f);
+        letters.draw(canvas, {20.0, 50.0}, words, Vec3f(0.0f));
+        return canvas.rgba();
+    };
+    // 骨 turns its inner corner to the left in mainland China alone, 直 has an angle at its foot in Japan and Korea.
+    for (const char* character : {"骨", "直"}) {
+        const std::string same(character);
+        EXPECT_EQ(firstOf(same), firstOf(same + "形")) << character;
+        EXPECT_NE(firstOf(same), firstOf(same + "の")) << character;
+        EXPECT_NE(firstOf(same), firstOf(same + "경")) << character;
+    }
+}
+
 TEST(Letters, wordsAreAsWideAsTheirLetters) {
     const Letters letters(20.0), small(10.0);
     EXPECT_EQ(letters.width(""), 0.0);
