@@ -50,6 +50,28 @@ TEST(MapMarks, labelsOfCirclesDoNotOverlapAndTheRightAngleHasOne) {
     }
 }
 
+TEST(MapMarks, labelsNameCirclesThatAreDrawn) {
+    const QFontMetricsF metrics{QFont()};
+    const MapLayout layout({0, 0, 1200, 600}, metrics);
+    struct Case {
+        double width;  // degrees
+        uint32_t every;
+        std::vector<int> degrees;
+    };
+    for (const Case& each : {Case{5.0, 3, {90, 60, 120, 30, 150}}, Case{20.0, 1, {90, 60, 120, 40, 140}},
+                             Case{45.0, 1, {90, 45, 135}}, Case{5.5, 3, {90, 66, 33}}}) {
+        MapCircles circles;
+        circles.axis = {1.0, 0.0, 0.0};
+        circles.side = {0.0, 1.0, 0.0};
+        circles.width = each.width * std::numbers::pi / 180.0;
+        circles.every = each.every;
+        circles.bands = uint32_t(std::ceil(180.0 / each.width));
+        std::vector<int> degrees;
+        for (const CircleLabel& label : circleLabels(layout, circles, metrics)) degrees.push_back(label.degrees);
+        EXPECT_EQ(degrees, each.degrees) << each.width;
+    }
+}
+
 TEST(MapMarks, numbersAndNamesOfTheAxesDoNotOverlap) {
     QFont font;
     for (const int letters : {13, 20, 30}) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "core/geometry/angle.h"
 #include "ui/look/in_hand.h"
@@ -39,6 +40,17 @@ QRectF placeBeside(const QPointF& place, double direction, const QString& words,
 }
 
 QString circleWords(int degrees) { return QStringLiteral("%1°").arg(degrees); }
+
+/// The drawn contour nearest to an angle, of two equally near ones that towards the right angle; degrees. Nothing where there is
+/// none, or none at a whole degree, which a label could name.
+std::optional<int> drawnCircle(const MapCircles& circles, int degrees) {
+    constexpr double kWhole = 1e-6;  // degrees
+    const double step = circles.every * circles.width * 180.0 / std::numbers::pi, count = degrees / step;
+    const auto which = uint32_t(degrees < 90 ? std::floor(count + 0.5) : std::ceil(count - 0.5));
+    const double angle = which * step;
+    if (which == 0 || which * circles.every >= circles.bands || std::abs(angle - std::round(angle)) > kWhole) return std::nullopt;
+    return int(std::lround(angle));
+}
 
 double distanceTo(const QRectF& rect, const QPointF& point) {
     return std::hypot(point.x() - std::clamp(point.x(), rect.left(), rect.right()),
@@ -80,8 +92,11 @@ std::vector<CircleLabel> circleLabels(const MapLayout& layout, const MapCircles&
     const bool low = layout.area.height() < kLowMap * metrics.height();
     std::vector<CircleLabel> labels;
     // The right angle, where the paper's method changes, first; then away from it.
-    for (const int degrees : {90, 60, 120, 30, 150}) {
-        if (low && degrees != 90) break;
+    for (const int near : {90, 60, 120, 30, 150}) {
+        if (low && near != 90) break;
+        const std::optional<int> drawn = near == 90 ? near : drawnCircle(circles, near);
+        if (!drawn) continue;
+        const int degrees = *drawn;
         const std::vector<Vec2> line = circleOnMap(circles, degrees * std::numbers::pi / 180.0);
         // At its highest point the curve crosses no other line, and is level like the label.
         const Vec2 top = *std::min_element(line.begin(), line.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
