@@ -155,7 +155,7 @@
     </message>
     <message>
         <source>within snapping, not lost (pixels)</source>
-        <translation>맞춤 안, 손실 아님(픽셀)</translation>
+        <translation>맞춤 오차 안, 손실 아님(픽셀)</translation>
     </message>
 </context>
 <context>
@@ -346,7 +346,7 @@
     <message>
         <source>Within the raster&apos;s snapping, and not lost: %1</source>
         <extracomment>Pixels that differ from the truth&apos;s only because OpenGL rounds corners to 1/256 pixel.</extracomment>
-        <translation>래스터의 맞춤 안에 있어 잃은 것이 아님: %1</translation>
+        <translation>래스터의 맞춤 오차 안에 있어 잃은 것이 아님: %1</translation>
     </message>
     <message>
         <source>%1 against %2, which draws the same sides, with its 95 % interval</source>
@@ -1451,7 +1451,7 @@
     </message>
     <message>
         <source>The paper&apos;s formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
-        <translation>논문의 식(면마다 실수 4개, 칸과 면마다 실수 2개, 칸마다 정수 4개)으로는 논문의 크기가 나오지 않습니다. 색인 맵은 74.7 GB가 됩니다.</translation>
+        <translation>논문의 식(면마다 실수 4개, 셀과 면마다 실수 2개, 셀마다 정수 4개)으로는 논문의 크기가 나오지 않습니다. 색인 맵은 74.7 GB가 됩니다.</translation>
     </message>
     <message>
         <source>In the paper&apos;s table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
@@ -1459,7 +1459,7 @@
     </message>
     <message>
         <source>All at 360 × 180 cells; 1 MB is 1,000,000 bytes.</source>
-        <translation>모두 360 × 180칸입니다. 1 MB는 1,000,000바이트입니다.</translation>
+        <translation>모두 360 × 180셀입니다. 1 MB는 1,000,000바이트입니다.</translation>
     </message>
     <message>
         <source>structure</source>
@@ -2239,11 +2239,11 @@
     </message>
     <message>
         <source>Entries a cell</source>
-        <translation>칸당 항목 수</translation>
+        <translation>셀당 항목 수</translation>
     </message>
     <message>
         <source>triangles a cell, logarithmic</source>
-        <translation>칸당 삼각형 수, 로그 눈금</translation>
+        <translation>셀당 삼각형 수, 로그 눈금</translation>
     </message>
     <message>
         <source>Farthest R</source>
@@ -2287,7 +2287,7 @@
     </message>
     <message>
         <source>Case 3: split by the seam, two ranges a row</source>
-        <translation>경우 3: 이음매로 갈라짐, 행마다 두 구간</translation>
+        <translation>경우 3: 이음선으로 갈라짐, 행마다 두 구간</translation>
     </message>
     <message>
         <source>bottom left</source>
@@ -2399,7 +2399,7 @@
     </message>
     <message>
         <source>its box</source>
-        <translation>경계 박스</translation>
+        <translation>경계 상자</translation>
     </message>
     <message>
         <source>corner: hit</source>
@@ -2411,7 +2411,7 @@
     </message>
     <message>
         <source>walked cells</source>
-        <translation>지나간 칸</translation>
+        <translation>지나간 셀</translation>
     </message>
     <message>
         <source>contours of α every %1</source>
@@ -3215,7 +3215,7 @@
     </message>
     <message>
         <source>Show in the active view the first planes of the BSP tree, each within its cell</source>
-        <translation>활성 뷰에 BSP 트리의 처음 평면들을 각 칸 안에 표시</translation>
+        <translation>활성 뷰에 BSP 트리의 처음 평면들을 각 셀 안에 표시</translation>
     </message>
     <message>
         <source>node = root</source>
@@ -3451,7 +3451,7 @@
     </message>
     <message>
         <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
-        <translation>&quot;%1&quot;의 BSP 트리에는 노드가 %2개를 넘게 필요합니다. 평면 %3개가 저마다 앞 평면의 모든 칸을 나눕니다. 평면 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+        <translation>&quot;%1&quot;의 BSP 트리에는 노드가 %2개를 넘게 필요합니다. 평면 %3개가 저마다 앞 평면의 모든 셀을 나눕니다. 평면 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
     </message>
     <message>
         <source>draw it: OpenGL drops back faces</source>
@@ -4135,7 +4135,7 @@
     </message>
     <message>
         <source>the octree&apos;s cell, over which components reach</source>
-        <translation>옥트리의 칸(구성 요소가 넘어설 수 있음)</translation>
+        <translation>옥트리의 셀(구성 요소가 넘어설 수 있음)</translation>
     </message>
     <message>
         <source>What is drawn while the camera does not move.</source>
@@ -5055,11 +5055,11 @@
     </message>
     <message>
         <source>Corner ray %1 passes %2 cells of the map and hits nothing; it begins at R = %3.</source>
-        <translation>모서리 광선 %1이 맵의 칸 %2개를 지나고 아무것도 맞히지 않습니다. 시작은 R = %3입니다.</translation>
+        <translation>모서리 광선 %1이 맵의 셀 %2개를 지나고 아무것도 맞히지 않습니다. 시작은 R = %3입니다.</translation>
     </message>
     <message>
         <source>Corner ray %1 misses the bounds (cells passed: %2); their point nearest to it is at R = %3.</source>
-        <translation>모서리 광선 %1이 경계를 빗나갑니다(지난 칸: %2). 가장 가까운 경계의 점은 R = %3에 있습니다.</translation>
+        <translation>모서리 광선 %1이 경계를 빗나갑니다(지난 셀: %2). 가장 가까운 경계의 점은 R = %3에 있습니다.</translation>
     </message>
     <message>
         <source>Of the four corner rays %1 meet the object, which is not outside the frustum: contour bands decide about it.</source>
@@ -5067,7 +5067,7 @@
     </message>
     <message>
         <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
-        <translation>모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 칸들의 삼각형: %3.</translation>
+        <translation>모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 셀들의 삼각형: %3.</translation>
     </message>
     <message>
         <source>not at all: the bounding sphere by its radius</source>
@@ -5355,7 +5355,7 @@
     </message>
     <message>
         <source>Boxes around it, ranges of the memory access map</source>
-        <translation>경계 박스, 메모리 접근 맵의 구간</translation>
+        <translation>경계 상자, 메모리 접근 맵의 구간</translation>
     </message>
     <message>
         <source>Contour bands from the nearest point, S by sector</source>
@@ -5443,7 +5443,7 @@
     </message>
     <message>
         <source>A triangle over the seam of a map of directions</source>
-        <translation>방향 맵의 이음매에 걸친 삼각형</translation>
+        <translation>방향 맵의 이음선에 걸친 삼각형</translation>
     </message>
     <message>
         <source>columns 359 and 0 only</source>
@@ -5731,15 +5731,15 @@
     </message>
     <message>
         <source>R, θ, φ in floats a face; 4 numbers a cell</source>
-        <translation>면마다 float인 R, θ, φ; 칸마다 수 4개</translation>
+        <translation>면마다 float인 R, θ, φ; 셀마다 수 4개</translation>
     </message>
     <message>
         <source>R, θ, φ and index a face; 4 numbers a cell</source>
-        <translation>면마다 R, θ, φ와 색인; 칸마다 수 4개</translation>
+        <translation>면마다 R, θ, φ와 색인; 셀마다 수 4개</translation>
     </message>
     <message>
         <source>R, θ, φ in doubles a face; 4 numbers a cell</source>
-        <translation>면마다 double인 R, θ, φ; 칸마다 수 4개</translation>
+        <translation>면마다 double인 R, θ, φ; 셀마다 수 4개</translation>
     </message>
     <message>
         <source>index and R an entry</source>
@@ -5747,7 +5747,7 @@
     </message>
     <message>
         <source>index and R an entry; start and count a cell</source>
-        <translation>항목마다 색인과 R; 칸마다 시작과 개수</translation>
+        <translation>항목마다 색인과 R; 셀마다 시작과 개수</translation>
     </message>
     <message>
         <source>index, R and a link to the next an entry</source>
@@ -5755,15 +5755,15 @@
     </message>
     <message>
         <source>index an entry; start, nearest and farthest R a cell, as here</source>
-        <translation>항목마다 색인; 칸마다 시작, 가장 가까운 R과 먼 R, 여기서와 같음</translation>
+        <translation>항목마다 색인; 셀마다 시작, 가장 가까운 R과 먼 R, 여기서와 같음</translation>
     </message>
     <message>
         <source>the paper&apos;s formula: 4 integers a cell</source>
-        <translation>논문의 식: 칸마다 정수 4개</translation>
+        <translation>논문의 식: 셀마다 정수 4개</translation>
     </message>
     <message>
         <source>start and count a cell</source>
-        <translation>칸마다 시작과 개수</translation>
+        <translation>셀마다 시작과 개수</translation>
     </message>
     <message>
         <source>What the sizes in Table 1 can be made of</source>
@@ -5775,7 +5775,7 @@
     </message>
     <message>
         <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value.</source>
-        <translation>색인 맵의 항목 수는 360 × 180에서 삼각형이 칸에 닿는 수입니다. 논문은 항목마다 R을 저장합니다. 여기서는 칸마다 가장 가까운 R과 가장 먼 R을 둡니다.</translation>
+        <translation>색인 맵의 항목 수는 360 × 180에서 삼각형이 셀에 닿는 수입니다. 논문은 항목마다 R을 저장합니다. 여기서는 셀마다 가장 가까운 R과 가장 먼 R을 둡니다.</translation>
     </message>
     <message>
         <source>layout</source>
@@ -6263,7 +6263,7 @@
     </message>
     <message>
         <source>its box, on the surface</source>
-        <translation>경계 박스, 표면 위</translation>
+        <translation>경계 상자, 표면 위</translation>
     </message>
     <message>
         <source>S of the bands of %1 in one sector</source>
@@ -6879,7 +6879,7 @@
     </message>
     <message>
         <source>Ray %1: its R beside that of the triangles of each cell</source>
-        <translation>광선 %1: 각 칸의 삼각형의 R과 나란히 놓은 광선의 R</translation>
+        <translation>광선 %1: 각 셀의 삼각형의 R과 나란히 놓은 광선의 R</translation>
     </message>
     <message>
         <source>way from where it enters the sphere</source>
@@ -6887,11 +6887,11 @@
     </message>
     <message>
         <source>R of the triangles of a cell</source>
-        <translation>칸의 삼각형의 R</translation>
+        <translation>셀의 삼각형의 R</translation>
     </message>
     <message>
         <source>of the cell in which one is hit</source>
-        <translation>삼각형이 교차되는 칸의 R</translation>
+        <translation>삼각형이 교차되는 셀의 R</translation>
     </message>
     <message>
         <source>R of the ray</source>
@@ -7243,7 +7243,7 @@
     </message>
     <message>
         <source>White cells: no triangle has its centroid there.</source>
-        <translation>흰 칸: 무게중심이 그곳에 있는 삼각형이 없다.</translation>
+        <translation>흰 셀: 무게중심이 그곳에 있는 삼각형이 없다.</translation>
     </message>
     <message>
         <source>from the side, as in Figures 5 to 7, with what is left out</source>
@@ -8629,7 +8629,7 @@ OpenGL %2
     </message>
     <message>
         <source>within snapping</source>
-        <translation>맞춤 안</translation>
+        <translation>맞춤 오차 안</translation>
     </message>
     <message>
         <source>nearer than the truth</source>
@@ -8897,7 +8897,7 @@ OpenGL %2
     <name>cullscope::ui::MapWidget</name>
     <message>
         <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
-        <translation>화살표 키로 칸을 옮기고, Shift와 함께 누르면 열 칸씩 옮깁니다. Enter는 칸의 삼각형을 고릅니다.</translation>
+        <translation>화살표 키로 셀을 옮기고, Shift와 함께 누르면 열 셀씩 옮깁니다. Enter는 셀의 삼각형을 고릅니다.</translation>
     </message>
 </context>
 <context>
@@ -9002,11 +9002,11 @@ OpenGL %2
     </message>
     <message>
         <source>– within snapping</source>
-        <translation>– 맞춤 안의 것</translation>
+        <translation>– 맞춤 오차 안의 것</translation>
     </message>
     <message>
         <source>Pixels in which the truth has a surface and this picture a farther one or none; without those within snapping</source>
-        <translation>참값에는 면이 있고 이 그림에는 더 먼 면이 있거나 없는 픽셀. 맞춤 안의 픽셀은 빼고 셉니다</translation>
+        <translation>참값에는 면이 있고 이 그림에는 더 먼 면이 있거나 없는 픽셀. 맞춤 오차 안의 픽셀은 빼고 셉니다</translation>
     </message>
     <message>
         <source>Pixels that differ only because the raster snaps vertices to 1/256 pixel, which is no loss; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
@@ -10929,11 +10929,11 @@ sides [95 %]</source>
     </message>
     <message>
         <source>missed pixels: %1, within snapping and not lost: %2, nearer than the truth: %3</source>
-        <translation>놓친 픽셀: %1, 맞춤 안에 있어 놓치지 않은 픽셀: %2, 참값보다 가까운 픽셀: %3</translation>
+        <translation>놓친 픽셀: %1, 맞춤 오차 안에 있어 놓치지 않은 픽셀: %2, 참값보다 가까운 픽셀: %3</translation>
     </message>
     <message>
         <source>difference within snapping %1 of %2, pixels: %3</source>
-        <translation>맞춤 안의 차이 %1/%2, 픽셀: %3</translation>
+        <translation>맞춤 오차 안의 차이 %1/%2, 픽셀: %3</translation>
     </message>
     <message>
         <source>nothing in view: Home</source>
@@ -11032,7 +11032,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>Left out, within the raster&apos;s snapping</source>
-        <translation>래스터의 맞춤 안에서 빠짐</translation>
+        <translation>래스터의 맞춤 오차 안에서 빠짐</translation>
     </message>
     <message>
         <source>The truth shows it where the raster&apos;s rounding of corners to 1/256 pixel explains the difference: no pixel is lost.</source>

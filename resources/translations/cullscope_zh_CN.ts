@@ -1351,7 +1351,7 @@
     </message>
     <message>
         <source>OpenGL draws the triangle: its front is turned to the eye.</source>
-        <translation>OpenGL 绘制该三角形：其正面朝向眼睛。</translation>
+        <translation>OpenGL 绘制该三角形：其正面朝向视点。</translation>
     </message>
     <message>
         <source>The triangle is given to OpenGL.</source>
@@ -2387,7 +2387,7 @@
     </message>
     <message>
         <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
-        <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
+        <translation>角射线 %1，%2：未命中包围球；取球上最近的点。</translation>
     </message>
     <message>
         <source>sector %1</source>
@@ -2399,7 +2399,7 @@
     </message>
     <message>
         <source>its box</source>
-        <translation>其包围框</translation>
+        <translation>其包围盒</translation>
     </message>
     <message>
         <source>corner: hit</source>
@@ -3399,7 +3399,7 @@
     </message>
     <message>
         <source>Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.</source>
-        <translation>角点射线 %1 经过图的 %2 个单元，在 R = %3 处击中三角形。</translation>
+        <translation>角点射线 %1 经过图的 %2 个单元，在 R = %3 处命中三角形。</translation>
     </message>
     <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
@@ -3499,7 +3499,7 @@
     </message>
     <message>
         <source>cell by cell: a triangle hit?</source>
-        <translation>逐个单元：是否击中三角形？</translation>
+        <translation>逐个单元：是否命中三角形？</translation>
     </message>
     <message>
         <source>draw boxes of cells around it</source>
@@ -3531,19 +3531,19 @@
     </message>
     <message>
         <source>Ray %1 stays at R ≥ %2 in this cell, whose triangles end at R = %3: none of them is hit.</source>
-        <translation>在此单元中光线 %1 处于 R ≥ %2，而单元的三角形止于 R = %3：一个也没有击中。</translation>
+        <translation>在此单元中光线 %1 处于 R ≥ %2，而单元的三角形止于 R = %3：一个也没有命中。</translation>
     </message>
     <message>
         <source>Ray %1 stays at R ≤ %2 in this cell, whose triangles begin at R = %3: none of them is hit.</source>
-        <translation>在此单元中光线 %1 处于 R ≤ %2，而单元的三角形始于 R = %3：一个也没有击中。</translation>
+        <translation>在此单元中光线 %1 处于 R ≤ %2，而单元的三角形始于 R = %3：一个也没有命中。</translation>
     </message>
     <message>
         <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles one is hit.</source>
-        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形中击中一个。</translation>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形中命中一个。</translation>
     </message>
     <message>
         <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles none is hit.</source>
-        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形一个也没有击中。</translation>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形一个也没有命中。</translation>
     </message>
     <message>
         <source>Corner ray %1 enters the bounding sphere at R = %2.</source>
@@ -4895,7 +4895,7 @@
     </message>
     <message>
         <source>Section 2.3 sends objects that no corner ray meets to the contour bands; Appendix 1 only those whose bounding sphere lies inside the frustum. What becomes of one to three rays that miss, how hits are joined, and whether a band that is hidden ends its sector, the paper does not say.</source>
-        <translation>第 2.3 节把没有角光线击中的物体交给等高环带；附录 1 只交出包围球在视锥内的物体。有一到三条光线未击中时如何处理、击中点如何连接、被遮挡的带是否终止其扇区，论文未说明。</translation>
+        <translation>第 2.3 节把没有角光线命中的物体交给等高环带；附录 1 只交出包围球在视锥内的物体。有一到三条光线未命中时如何处理、命中点如何连接、被遮挡的带是否终止其扇区，论文未说明。</translation>
     </message>
     <message>
         <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.</source>
@@ -4907,7 +4907,7 @@
     </message>
     <message>
         <source>Eight directions spread evenly; the distance of the eye is in radii of the bounding sphere, the field of view is vertical, the picture 640 × 480. Of four corner rays that hit, the region between them is drawn; of none, contour bands decide.</source>
-        <translation>八个均匀分布的方向；眼睛的距离以包围球半径为单位，视场角为垂直方向，图像为 640 × 480。四条角光线都击中时绘制其间的区域；都未击中时由等高环带决定。</translation>
+        <translation>八个均匀分布的方向；视点的距离以包围球半径为单位，视场角为垂直方向，图像为 640 × 480。四条角光线都命中时绘制其间的区域；都未命中时由等高环带决定。</translation>
     </message>
     <message>
         <source>distance, radii</source>
@@ -4923,11 +4923,11 @@
     </message>
     <message>
         <source>rays that hit, of 4</source>
-        <translation>击中的光线，共 4 条</translation>
+        <translation>命中的光线，共 4 条</translation>
     </message>
     <message>
         <source>The paper&apos;s column is the faces considered. Views are chosen so that spherical considers as many here, in the stated case; faces in the frustum, those on the far side too, and the rays that hit are results. Where a lens has no such view, the nearest one is measured, and its row shows it.</source>
-        <translation>论文的这一列是考虑的面数。这里选取的视图使 spherical 在所述情况下考虑同样多的面；视锥内的面（包括背侧的面）和击中的光线是结果。某镜头没有这样的视图时测量最接近的一个，其行会显示出来。</translation>
+        <translation>论文的这一列是考虑的面数。这里选取的视图使 spherical 在所述情况下考虑同样多的面；视锥内的面（包括背侧的面）和命中的光线是结果。某镜头没有这样的视图时测量最接近的一个，其行会显示出来。</translation>
     </message>
     <message>
         <source>The built-in paths case-1 to case-3 have the paper&apos;s number of faces in the frustum instead.</source>
@@ -4979,7 +4979,7 @@
     </message>
     <message>
         <source>those in the frustum that no corner ray meets (section 2.3)</source>
-        <translation>在视锥内且没有角光线击中的物体（第 2.3 节）</translation>
+        <translation>在视锥内且没有角光线命中的物体（第 2.3 节）</translation>
     </message>
     <message>
         <source>those whose sphere lies inside the frustum (Appendix 1)</source>
@@ -4987,7 +4987,7 @@
     </message>
     <message>
         <source>What becomes of a corner ray that meets no triangle.</source>
-        <translation>未击中三角形的角光线如何处理。</translation>
+        <translation>未命中三角形的角光线如何处理。</translation>
     </message>
     <message>
         <source>the point of the sphere or box nearest to it is a corner of the region</source>
@@ -5003,7 +5003,7 @@
     </message>
     <message>
         <source>Where corner rays begin, and where a missed one takes its point.</source>
-        <translation>角光线从何处开始，未击中者在何处取点。</translation>
+        <translation>角光线从何处开始，未命中者在何处取点。</translation>
     </message>
     <message>
         <source>the bounding sphere (sections 2.2 and 2.3)</source>
@@ -5015,7 +5015,7 @@
     </message>
     <message>
         <source>How the hits are joined to the visible region.</source>
-        <translation>击中点如何连接成可见区域。</translation>
+        <translation>命中点如何连接成可见区域。</translation>
     </message>
     <message>
         <source>When a pole lies in the visible region, which is case 1.</source>
@@ -5055,7 +5055,7 @@
     </message>
     <message>
         <source>Corner ray %1 passes %2 cells of the map and hits nothing; it begins at R = %3.</source>
-        <translation>角光线 %1 经过图的 %2 个单元而未击中任何三角形；它从 R = %3 处开始。</translation>
+        <translation>角光线 %1 经过图的 %2 个单元而未命中任何三角形；它从 R = %3 处开始。</translation>
     </message>
     <message>
         <source>Corner ray %1 misses the bounds (cells passed: %2); their point nearest to it is at R = %3.</source>
@@ -5063,7 +5063,7 @@
     </message>
     <message>
         <source>Of the four corner rays %1 meet the object, which is not outside the frustum: contour bands decide about it.</source>
-        <translation>四条角光线中有 %1 条击中物体，且物体不在视锥之外：由等高环带决定。</translation>
+        <translation>四条角光线中有 %1 条命中物体，且物体不在视锥之外：由等高环带决定。</translation>
     </message>
     <message>
         <source>The region between the corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
@@ -5411,7 +5411,7 @@
     </message>
     <message>
         <source>%1 needs the place of an eye, and a parallel view has none: every triangle is drawn.</source>
-        <translation>%1 需要眼睛的位置，而平行视图没有：绘制所有三角形。</translation>
+        <translation>%1 需要视点的位置，而平行视图没有：绘制所有三角形。</translation>
     </message>
     <message>
         <source>hit records, mean</source>
@@ -5715,11 +5715,11 @@
     </message>
     <message>
         <source>A sphere in view that all four corner rays miss</source>
-        <translation>四条角射线都未击中的可见球</translation>
+        <translation>四条角射线都未命中的可见球</translation>
     </message>
     <message>
         <source>A ray that enters the bounding sphere far from where it hits</source>
-        <translation>进入包围球处远离击中处的射线</translation>
+        <translation>进入包围球处远离命中处的射线</translation>
     </message>
     <message>
         <source>the walk reaches the surface, 37 degrees away</source>
@@ -5771,7 +5771,7 @@
     </message>
     <message>
         <source>A box around the eye, and one that reaches beyond the far plane</source>
-        <translation>包围眼睛的盒，以及超出远平面的盒</translation>
+        <translation>包围视点的盒，以及超出远平面的盒</translation>
     </message>
     <message>
         <source>not outside, and nothing lost</source>
@@ -5787,7 +5787,7 @@
     </message>
     <message>
         <source>An eye that turns by 180 degrees a second, and answers that come late</source>
-        <translation>每秒转动 180 度的眼睛，以及迟到的答案</translation>
+        <translation>每秒转动 180 度的视点，以及迟到的答案</translation>
     </message>
     <message>
         <source>without latency nothing is lost; with it the loss is seen</source>
@@ -5803,7 +5803,7 @@
     </message>
     <message>
         <source>An object&apos;s box around the eye and the far plane, and an eye just outside of it</source>
-        <translation>包围眼睛和远平面的物体盒，以及恰在其外的眼睛</translation>
+        <translation>包围视点和远平面的物体盒，以及恰在其外的视点</translation>
     </message>
     <message>
         <source>Three bars that overlap each other in a cycle</source>
@@ -6071,11 +6071,11 @@
     </message>
     <message>
         <source>a sphere half in view that all four corner rays miss</source>
-        <translation>半在视野中、四条角射线都未击中的球</translation>
+        <translation>半在视野中、四条角射线都未命中的球</translation>
     </message>
     <message>
         <source>a ball of half the radius of its bounding sphere: rays enter far from where they hit</source>
-        <translation>半径为包围球一半的球：射线进入处远离击中处</translation>
+        <translation>半径为包围球一半的球：射线进入处远离命中处</translation>
     </message>
     <message>
         <source>a torus tilted by 60 degrees, from afar</source>
@@ -6119,7 +6119,7 @@
     </message>
     <message>
         <source>a box around the eye, and one that reaches beyond the far plane on all sides</source>
-        <translation>包围眼睛的盒，以及四面都超出远平面的盒</translation>
+        <translation>包围视点的盒，以及四面都超出远平面的盒</translation>
     </message>
     <message>
         <source>a body in a field of view of a hundredth of a degree</source>
@@ -6131,11 +6131,11 @@
     </message>
     <message>
         <source>walls with bodies behind them, from an eye that turns by 180 degrees a second</source>
-        <translation>从每秒转动 180 度的眼睛看，背后有物体的墙</translation>
+        <translation>从每秒转动 180 度的视点看，背后有物体的墙</translation>
     </message>
     <message>
         <source>an object whose box holds the eye and the far plane</source>
-        <translation>其盒包含眼睛和远平面的物体</translation>
+        <translation>其盒包含视点和远平面的物体</translation>
     </message>
     <message>
         <source>three bars that overlap each other in a cycle</source>
@@ -6891,7 +6891,7 @@
     </message>
     <message>
         <source>of the cell in which one is hit</source>
-        <translation>击中三角形的单元的 R</translation>
+        <translation>命中三角形的单元的 R</translation>
     </message>
     <message>
         <source>R of the ray</source>
@@ -7531,7 +7531,7 @@
     </message>
     <message>
         <source>any hit: region between them</source>
-        <translation>有击中：其间的区域</translation>
+        <translation>有命中：其间的区域</translation>
     </message>
 </context>
 <context>
@@ -11543,7 +11543,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>Lines of sight meet in the eye: what is farther is smaller</source>
-        <translation>视线交于眼睛：越远越小</translation>
+        <translation>视线交于视点：越远越小</translation>
     </message>
     <message>
         <source>P&amp;arallel</source>
