@@ -8635,6 +8635,10 @@ OpenGL %2
         <source>nearer than the truth</source>
         <translation>참값보다 가까움</translation>
     </message>
+    <message>
+        <source>in hand</source>
+        <translation>지금 다루는 것</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LessonBar</name>

@@ -8635,6 +8635,10 @@ OpenGL %2
         <source>nearer than the truth</source>
         <translation>比真值更近</translation>
     </message>
+    <message>
+        <source>in hand</source>
+        <translation>正在处理</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LessonBar</name>

@@ -91,6 +91,18 @@ TEST_F(Lecture, signsOverPicturesGrowWithTheScreen) {
     EXPECT_DOUBLE_EQ(picture(0).extras().unit, 1.0);
 }
 
+TEST_F(Lecture, legendNamesTheColourOfWhatAStepHasInHand) {
+    watch("frustum");
+    LectureWindow& lecture = begin();
+    const auto named = [&] { return lecture.legend().words().contains(QStringLiteral("in hand")); };
+    EXPECT_FALSE(named());
+    window.actions().stepThrough->trigger();
+    ASSERT_TRUE(waitUntil([&] { return window.stepper().place() != nullptr; }));
+    EXPECT_TRUE(waitUntil(named));
+    window.actions().stepThrough->trigger();
+    EXPECT_TRUE(waitUntil([&] { return !named(); }));
+}
+
 TEST_F(Lecture, keysOfTheWindowWorkInIt) {
     watch("spherical");
     begin();

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "ui/look/in_hand.h"
 #include "ui/look/plane_swatch.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/statistics/flow_layout.h"
@@ -38,6 +39,24 @@ protected:
 private:
     std::optional<TriangleState> m_state;
     QColor m_colour;
+};
+
+/// The outline of what a step has in hand.
+class InHandSwatch : public QWidget {
+public:
+    InHandSwatch(int size, QWidget* parent) : QWidget(parent) { setFixedSize(size, size); }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setBrush(Qt::NoBrush);
+        const double edge = kInHandEdgeWidth / 2.0;
+        const QRectF place = QRectF(rect()).adjusted(edge, edge, -edge, -edge);
+        for (const auto& [colour, width] : {std::pair(kInHandEdge, kInHandEdgeWidth), std::pair(kInHandColour, kInHandWidth)}) {
+            painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap, Qt::MiterJoin));
+            painter.drawRect(place);
+        }
+    }
 };
 
 /// A line or a mark of a map.
@@ -77,6 +96,7 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     states[size_t(TriangleState::Undecided)] = false;
     for (const TriangleState state : more.states) states[size_t(state)] = true;
     bool planes = false, marks = false, differences = false;
+    const bool stepped = std::ranges::any_of(views, [&](int view) { return m_session.stepOf(view) != nullptr; });
     for (const int view : views) {
         const ViewSetup& setup = m_session.setup(view);
         if (m_session.question()) break;
@@ -103,6 +123,7 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     if (planes)
         for (size_t plane = 0; plane < kFrustumPlaneCount; ++plane)
             entries.push_back({translated(planeName(FrustumPlane(plane))), {}, planeColour(FrustumPlane(plane), palette())});
+    if (stepped) entries.push_back({tr("in hand"), {}, {}, {}, true});
     for (const MapLegend::Entry& line : more.lines) entries.push_back({line.words, {}, {}, line.symbol});
     return entries;
 }
@@ -121,8 +142,13 @@ bool LegendStrip::explain(const std::vector<int>& views, int letters, const More
         // Larger letters stand farther apart.
         row->setContentsMargins(0, 0, std::max(0, kLegendGap * (letters - kLettersOfLecture) / kLettersOfLecture), 0);
         row->setSpacing(letters / 3);
-        row->addWidget(entry.symbol ? static_cast<QWidget*>(new SymbolSwatch(*entry.symbol, font, item))
-                                    : new LegendSwatch(entry.state, entry.colour, std::max(kLeastSwatch, letters * 3 / 4), item));
+        const int size = std::max(kLeastSwatch, letters * 3 / 4);
+        if (entry.symbol)
+            row->addWidget(new SymbolSwatch(*entry.symbol, font, item));
+        else if (entry.inHand)
+            row->addWidget(new InHandSwatch(size, item));
+        else
+            row->addWidget(new LegendSwatch(entry.state, entry.colour, size, item));
         auto* words = new QLabel(entry.words, item);
         words->setFont(font);
         row->addWidget(words);

@@ -37,6 +37,7 @@ private:
         std::optional<TriangleState> state;  ///< painted as in pictures
         QColor colour{};                     ///< without a state or symbol
         std::optional<MapSymbol> symbol{};   ///< painted as on maps
+        bool inHand = false;                 ///< painted as what a step has in hand
 
         bool operator==(const Entry&) const = default;
     };
