@@ -122,7 +122,12 @@ double PlotRange::share(double value) const {
 std::vector<double> PlotRange::fewTicks(size_t most) const {
     std::vector<double> few = ticks;
     if (few.size() <= most) return few;
-    if (scale == PlotScale::Linear) return linearTicks(first, last, roundUp((last - first) / double(most - 1)));
+    if (scale == PlotScale::Linear) {
+        few = linearTicks(first, last, roundUp((last - first) / double(most - 1)));
+        // A single number would be no scale.
+        if (few.size() < 2 && most >= 2) few = everyNth(linearTicks(first, last, roundDown(last - first)), most);
+        return few;
+    }
     std::erase_if(few, [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > kStepTolerance; });
     return everyNth(few, most);
 }

@@ -100,8 +100,12 @@ void LossPanel::refresh() {
     m_view->setVisible(m_model->rowCount() > 0);
     // The Tab key cannot leave a panel whose focus proxy is hidden or disabled.
     setFocusProxy(ready && m_model->rowCount() > 0 ? m_view : nullptr);
-    m_view->resizeColumnToContents(LossModel::Pixels);
-    m_view->resizeColumnToContents(LossModel::Share);
+    // Numbers stand at the right of their columns: without a gap before the next one they would touch its number.
+    const int gap = 2 * m_view->fontMetrics().averageCharWidth();
+    for (const int column : {LossModel::Pixels, LossModel::Share}) {
+        m_view->resizeColumnToContents(column);
+        m_view->setColumnWidth(column, m_view->columnWidth(column) + gap);
+    }
 }
 
 std::optional<uint32_t> LossPanel::objectAt(const QModelIndex& index) const {

@@ -132,6 +132,14 @@ TEST(LinePlot, fewTicksAreRound) {
     EXPECT_EQ(linear.fewTicks(9), linear.ticks);
     EXPECT_THAT(linear.fewTicks(4), ElementsAre(0, 5, 10));
     EXPECT_THAT(linear.fewTicks(2), ElementsAre(0, 10));
+    PlotRange low = linear;
+    for (const double last : {0.95, 0.45, 2.9, 0.6}) {
+        low.last = last;
+        low.ticks = {0.0, last / 4, last / 2, last * 3 / 4};
+        EXPECT_EQ(low.fewTicks(2).size(), 2u) << last << ": one number alone would be no scale";
+    }
+    low.last = 0.95;
+    EXPECT_THAT(low.fewTicks(2), ElementsAre(0, 0.5));
     const PlotRange decades = rangeAlongY(plotOf({{1, 1}, {2, 1000}}, PlotScale::Logarithmic));
     EXPECT_THAT(decades.fewTicks(5), ElementsAre(1, 10, 100, 1000)) << "2 and 5 between them";
     EXPECT_THAT(decades.fewTicks(2), ElementsAre(1, 100));
