@@ -316,10 +316,6 @@
         <translation>속도: %1 fps = 1 / (컬링 + 그리기), 프레임당 %2, 그중 컬링 %3</translation>
     </message>
     <message>
-        <source>Submitted: %1 of %2 triangles, %3 of them visible</source>
-        <translation>제출: 삼각형 %2개 중 %1개, 그중 %3개가 보임</translation>
-    </message>
-    <message>
         <source>Missed: %1 of %2 covered pixels, largest hole %3</source>
         <translation>놓침: 덮인 픽셀 %2개 중 %1개, 가장 큰 구멍 %3</translation>
     </message>
@@ -361,6 +357,10 @@
     <message>
         <source>front faces only of closed objects, both sides of the others</source>
         <translation>닫힌 물체는 앞면만, 나머지는 양면</translation>
+    </message>
+    <message>
+        <source>Submitted: %1 of %2 triangles. Visible, drawn or not: %3</source>
+        <translation>제출: 삼각형 %2개 중 %1개. 그려지든 아니든 보이는 것: %3</translation>
     </message>
 </context>
 <context>
@@ -8830,9 +8830,9 @@ OpenGL %2
         <translation>지금 세기</translation>
     </message>
     <message>
-        <source>%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.</source>
+        <source>%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5. N shows the next one.</source>
         <comment>numbers of pixels</comment>
-        <translation>이 뷰에서 덮인 픽셀 %2개 중 %1개를 잃음(%3 %). 구멍: %4, 가장 큰 것의 픽셀: %5.</translation>
+        <translation>이 뷰에서 덮인 픽셀 %2개 중 %1개를 잃음(%3 %). 구멍: %4, 가장 큰 것의 픽셀: %5. N은 다음 구멍을 보여 줍니다.</translation>
     </message>
 </context>
 <context>
@@ -10036,10 +10036,6 @@ sides [95 %]</source>
         <translation>저장</translation>
     </message>
     <message>
-        <source>Saved as %1, %2 × %3 pixels.</source>
-        <translation>%1(으)로 저장됩니다, %2 × %3 픽셀.</translation>
-    </message>
-    <message>
         <source>Depth and triangle numbers are kept for one view alone.</source>
         <translation>깊이와 삼각형 번호는 뷰 하나일 때만 저장됩니다.</translation>
     </message>
@@ -10060,6 +10056,10 @@ sides [95 %]</source>
         <source>, </source>
         <comment>between names of overlays</comment>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Will be saved as %1, %2 × %3 pixels.</source>
+        <translation>%1(으)로 저장됩니다, %2 × %3 픽셀.</translation>
     </message>
 </context>
 <context>

@@ -316,10 +316,6 @@
         <translation>速度：%1 fps = 1 /（剔除 + 绘制），每帧 %2，其中剔除 %3</translation>
     </message>
     <message>
-        <source>Submitted: %1 of %2 triangles, %3 of them visible</source>
-        <translation>提交：%2 个三角形中的 %1 个，其中 %3 个可见</translation>
-    </message>
-    <message>
         <source>Missed: %1 of %2 covered pixels, largest hole %3</source>
         <translation>丢失：%2 个覆盖像素中的 %1 个，最大空洞 %3</translation>
     </message>
@@ -361,6 +357,10 @@
     <message>
         <source>front faces only of closed objects, both sides of the others</source>
         <translation>封闭物体只绘制正面，其余绘制两面</translation>
+    </message>
+    <message>
+        <source>Submitted: %1 of %2 triangles. Visible, drawn or not: %3</source>
+        <translation>提交：%2 个三角形中的 %1 个。可见的（无论是否绘制）：%3</translation>
     </message>
 </context>
 <context>
@@ -8830,9 +8830,9 @@ OpenGL %2
         <translation>立即统计</translation>
     </message>
     <message>
-        <source>%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.</source>
+        <source>%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5. N shows the next one.</source>
         <comment>numbers of pixels</comment>
-        <translation>此视图中覆盖的 %2 个像素丢失了 %1 个（%3 %）。空洞：%4，最大空洞的像素：%5。</translation>
+        <translation>此视图中覆盖的 %2 个像素丢失了 %1 个（%3 %）。空洞：%4，最大空洞的像素：%5。按 N 查看下一个空洞。</translation>
     </message>
 </context>
 <context>
@@ -10036,10 +10036,6 @@ sides [95 %]</source>
         <translation>保存</translation>
     </message>
     <message>
-        <source>Saved as %1, %2 × %3 pixels.</source>
-        <translation>将保存为 %1，%2 × %3 像素。</translation>
-    </message>
-    <message>
         <source>Depth and triangle numbers are kept for one view alone.</source>
         <translation>仅单个视图会保存深度和三角形编号。</translation>
     </message>
@@ -10060,6 +10056,10 @@ sides [95 %]</source>
         <source>, </source>
         <comment>between names of overlays</comment>
         <translation>、</translation>
+    </message>
+    <message>
+        <source>Will be saved as %1, %2 × %3 pixels.</source>
+        <translation>将保存为 %1，%2 × %3 像素。</translation>
     </message>
 </context>
 <context>

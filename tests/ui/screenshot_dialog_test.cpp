@@ -1,6 +1,7 @@
 // The dialog for the options of a screenshot.
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QSettings>
 #include <QTemporaryDir>
 
@@ -70,6 +71,26 @@ TEST_F(ScreenshotDialogTest, itSaysWhatTheFileWillBeCalledOrWhyThereIsNone) {
     pattern->setText(QStringLiteral("view.jpg"));
     EXPECT_TRUE(dialog.saveButton().isEnabled());
     EXPECT_TRUE(dialog.verdict().contains(QStringLiteral("view.jpg")));
+}
+
+TEST_F(ScreenshotDialogTest, aNameWithFoldersNamesItsOwn) {
+    QTemporaryDir other;
+    ASSERT_TRUE(QDir(first.folder).mkpath(QStringLiteral("figures")));
+    ScreenshotDialog dialog(session, extras, first);
+    auto* pattern = dialog.findChild<QLineEdit*>(QStringLiteral("pattern"));
+    ASSERT_TRUE(pattern);
+    const auto pathOf = [&](const QString& text) {
+        pattern->setText(text);
+        return QString::fromStdString(screenshotPath(session, dialog.settings()).string());
+    };
+    EXPECT_EQ(pathOf(other.filePath(QStringLiteral("a.png"))), other.filePath(QStringLiteral("a.png")));
+    EXPECT_TRUE(dialog.verdict().contains(other.filePath(QStringLiteral("a.png")))) << dialog.verdict().toStdString();
+    EXPECT_EQ(pathOf(QStringLiteral("figures/b.png")), QDir(first.folder).filePath(QStringLiteral("figures/b.png")));
+    pattern->setText(other.filePath(QStringLiteral("none/a.png")));
+    EXPECT_FALSE(dialog.saveButton().isEnabled());
+    EXPECT_TRUE(dialog.verdict().contains(QStringLiteral("no folder"))) << dialog.verdict().toStdString();
+    pattern->setText(other.path() + QLatin1Char('/'));
+    EXPECT_TRUE(dialog.verdict().contains(QStringLiteral("no name"))) << dialog.verdict().toStdString();
 }
 
 TEST_F(ScreenshotDialogTest, everythingIsReachedByTabAndHasAName) {

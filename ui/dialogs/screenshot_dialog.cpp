@@ -193,8 +193,10 @@ void ScreenshotDialog::refresh() {
     try {
         const std::filesystem::path path = screenshotPath(m_session, chosen);
         const ScreenshotPlan plan = planScreenshot(m_session, chosen.options, m_extras, keepsDepth(path));
-        QString text = tr("Saved as %1, %2 × %3 pixels.")
-                           .arg(QString::fromStdString(path.filename().string()))
+        // A name that has folders is shown with them.
+        const bool whole = chosen.pattern.contains(QLatin1Char('/'));
+        QString text = tr("Will be saved as %1, %2 × %3 pixels.")
+                           .arg(QString::fromStdString(whole ? path.string() : path.filename().string()))
                            .arg(plan.size.width)
                            .arg(plan.size.height);
         if (keepsDepth(path) && chosen.options.grid)

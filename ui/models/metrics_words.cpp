@@ -85,7 +85,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
             lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
                          .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds),
                               millisecondsText(figures.cullMilliseconds));
-        lines << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")
+        lines << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles. Visible, drawn or not: %3")
                      .arg(countText(figures.submitted.triangles), countText(figures.sceneTriangles),
                           countText(figures.accuracy.visibleTriangles))
               << missedSentence(figures);

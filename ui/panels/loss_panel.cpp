@@ -27,8 +27,9 @@ QString nothingLost(const Accuracy& accuracy) {
 QString lossOf(const ViewMetrics& figures) {
     const Accuracy& accuracy = figures.accuracy;
     const double share = double(figures.lostPixels()) / double(std::max<uint64_t>(1, accuracy.coveredPixels));
-    return LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.",
-                         "numbers of pixels")
+    return LossPanel::tr(
+               "%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5. N shows the next one.",
+               "numbers of pixels")
         .arg(countText(figures.lostPixels()), countText(accuracy.coveredPixels), percentText(share),
              countText(figures.holes.size()), countText(accuracy.largestHolePixels));
 }

@@ -1,6 +1,7 @@
 #include "ui/screenshots/screenshot_settings.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QSettings>
 #include <QStandardPaths>
@@ -47,16 +48,20 @@ void ScreenshotSettings::save() const {
 }
 
 std::filesystem::path screenshotPath(const Session& session, const ScreenshotSettings& settings) {
-    const std::string folder = settings.folder.toStdString();
-    const QFileInfo place(settings.folder);
+    // A name with folders, absolute or within the chosen folder, names its own.
+    QString pattern = settings.pattern.trimmed();
+    if (pattern.startsWith(QStringLiteral("~/"))) pattern.replace(0, 1, QDir::homePath());
+    const QFileInfo named(QDir(settings.folder), pattern);
+    const QFileInfo place(pattern.contains(QLatin1Char('/')) ? named.path() : settings.folder);
+    const std::string folder = place.filePath().toStdString();
     if (!place.isDir()) throwUsage(QT_TRANSLATE_NOOP("core", "There is no folder %1: choose another one."), {folder});
     if (!place.isWritable())
         throwUsage(QT_TRANSLATE_NOOP("core", "Nothing can be written into the folder %1: choose another one."), {folder});
-    if (settings.pattern.trimmed().isEmpty())
+    if (named.fileName().isEmpty() || pattern.isEmpty())
         throwUsage(QT_TRANSLATE_NOOP("core", "The file has no name: give it one, such as {scene}-{n}.png."));
     const std::string name = session.opened() ? session.opened()->scene->name() : std::string();
     const std::filesystem::path path =
-        nextFileName(folder, settings.pattern.trimmed().toStdString(), name, strategiesOf(session, settings.options.grid));
+        nextFileName(folder, named.fileName().toStdString(), name, strategiesOf(session, settings.options.grid));
     requirePictureFormat(path);
     return path;
 }

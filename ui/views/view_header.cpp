@@ -198,7 +198,7 @@ int ViewHeader::widthOf(const FirstLine& line) const {
 }
 
 ViewHeader::FirstLine ViewHeader::fittingLine() const {
-    static const std::vector<Contents> inWindow{{}, {.name = false}};
+    static const std::vector<Contents> inWindow{{}, {.id = false}, {.name = false}};
     static const std::vector<Contents> inLecture{
         {}, {.id = false}, {.word = false, .id = false}, {.promise = false, .id = false}, {.name = false, .word = false}};
     FirstLine line;

@@ -166,6 +166,7 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
     filler.addUploads();
     filler.addPanels(PlacedPanels::known(), PlacedPanels::knownBelow());
     menu.addSeparator();
+    menu.addAction(m_actions.screenshot);
     menu.addAction(tr("Copy the picture"), this, [this, view] { copyPicture(view, true); });
     menu.addAction(tr("Copy the picture without what lies over it"), this, [this, view] { copyPicture(view, false); });
     menu.addAction(tr("Copy the cullbench command"), this,
