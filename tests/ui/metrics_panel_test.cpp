@@ -8,6 +8,7 @@
 
 #include "tests/ui/test_scene.h"
 #include "ui/look/appearance.h"
+#include "ui/models/metrics_words.h"
 
 namespace cullscope::ui::metrics_panel_test {
 namespace {
@@ -87,6 +88,17 @@ TEST_F(FiguresOfViews, theTableHasTheColoursOfTheWindowsAppearance) {
             EXPECT_EQ(shown.pixelColor(place), expected) << place.x() << ", " << place.y();
     }
     appearance.setMode(Appearance::Mode::Light);
+}
+
+TEST(MetricsWords, visibleTrianglesAreNotCalledSubmittedWhereSomeWereLeftOut) {
+    ViewMetrics figures;
+    figures.state = ViewMetrics::State::Ready;
+    figures.sceneTriangles = 30;
+    figures.submitted.triangles = 10;
+    figures.accuracy.visibleTriangles = 15;
+    const QString words = metricsDetails(figures, {});
+    EXPECT_TRUE(words.contains(QStringLiteral("Submitted: 10 of 30 triangles. Visible, drawn or not: 15")))
+        << words.toStdString();
 }
 
 }  // namespace
