@@ -123,6 +123,7 @@ void ViewRounds::addTimes(size_t subject, ViewFigures& figures) const {
     const FrameMeasurement own = measurementOf(timed(m_places[subject].own));
     figures.frameMilliseconds = own.frameMilliseconds;
     figures.cullMilliseconds = own.cullMilliseconds;
+    figures.frameTimes = own.frameTimes;
     figures.timed = true;
     const auto over = [&](const std::optional<size_t>& place) -> std::optional<RatioEstimate> {
         if (!place) return std::nullopt;

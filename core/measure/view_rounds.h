@@ -33,7 +33,8 @@ struct ViewFigures {
     std::optional<RatioEstimate> speedup;  ///< over the baseline with the same facing rule: ratioOfTotals of this one view
     std::optional<RatioEstimate> speedupOverFrontFaces;  ///< over ViewSubject::frontFaces
     std::string baseline;                                ///< strategyLabel of what `speedup` is over
-    bool timed = false;                                  ///< false: the errors are known, the speed is still being measured
+    std::vector<double> frameTimes;  ///< milliseconds by turn, those of all subjects of a measurement taken in the same turns
+    bool timed = false;              ///< false: the errors are known, the speed is still being measured
     Submitted submitted;
     uint64_t consideredTriangles = 0;  ///< given to OpenGL, whole triangles and fragments alike
     uint64_t sceneTriangles = 0;

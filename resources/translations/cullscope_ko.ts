@@ -362,6 +362,15 @@
         <source>Submitted: %1 of %2 triangles. Visible, drawn or not: %3</source>
         <translation>제출: 삼각형 %2개 중 %1개. 그려지든 아니든 보이는 것: %3</translation>
     </message>
+    <message>
+        <source>%1 is %2 times as fast as %3 (%4).</source>
+        <extracomment>A view&apos;s letter, how many times as fast, another view&apos;s letter, the 95 % interval.</extracomment>
+        <translation>%1의 속도는 %3의 %2배입니다(%4).</translation>
+    </message>
+    <message>
+        <source>Which one is faster is not decided.</source>
+        <translation>어느 쪽이 빠른지는 정해지지 않았습니다.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -8600,10 +8609,6 @@ OpenGL %2
         <translation>각 그림 위: 속도(같은 면) · 제출한 삼각형 · 놓친 픽셀</translation>
     </message>
     <message>
-        <source>These views draw other sides, so their × have other baselines. A frame takes: %1</source>
-        <translation>이 뷰들은 서로 다른 쪽의 면을 그려 ×의 기준이 다릅니다. 한 프레임의 시간: %1</translation>
-    </message>
-    <message>
         <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
         <comment>a link in the text</comment>
         <translation>다음: %1수업 1%2로 시작하거나, 그림을 끌어 장면을 돌려 보십시오.</translation>
@@ -8615,6 +8620,14 @@ OpenGL %2
     <message>
         <source>drawn, visible or not</source>
         <translation>그려짐, 보이는지는 모름</translation>
+    </message>
+    <message>
+        <source>These views draw other sides, so their × have other baselines.</source>
+        <translation>이 뷰들은 서로 다른 쪽의 면을 그려 ×의 기준이 다릅니다.</translation>
+    </message>
+    <message>
+        <source>A frame takes: %1</source>
+        <translation>한 프레임의 시간: %1</translation>
     </message>
 </context>
 <context>
@@ -9023,6 +9036,14 @@ OpenGL %2
     <message>
         <source>Frame time of the baseline that draws the same sides divided by this strategy&apos;s, measured in turns at the same camera</source>
         <translation>같은 면을 그리는 기준선의 프레임 시간을 이 전략의 것으로 나눈 값, 같은 카메라에서 번갈아 측정</translation>
+    </message>
+    <message>
+        <source>– 95 % interval</source>
+        <translation>– 95 % 구간</translation>
+    </message>
+    <message>
+        <source>95 % interval of the speed, by bootstrap over the repeated frames of this measurement. Another start of the program can differ by more</source>
+        <translation>속도의 95 % 구간. 이 측정에서 반복한 프레임의 부트스트랩으로 구합니다. 프로그램을 다시 시작하면 차이가 더 클 수 있습니다</translation>
     </message>
 </context>
 <context>
@@ -10048,11 +10069,6 @@ sides [95 %]</source>
         <translation>화면 저장 폴더</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, wipe, marks, %1</source>
-        <comment>names of further overlays</comment>
-        <translation>덧그림(&amp;O): 절두체, 상자, 경계선, 표시, %1</translation>
-    </message>
-    <message>
         <source>, </source>
         <comment>between names of overlays</comment>
         <translation>, </translation>
@@ -10060,6 +10076,15 @@ sides [95 %]</source>
     <message>
         <source>Will be saved as %1, %2 × %3 pixels.</source>
         <translation>%1(으)로 저장됩니다, %2 × %3 픽셀.</translation>
+    </message>
+    <message>
+        <source>Of the strategies that have them: %1</source>
+        <comment>names of overlays</comment>
+        <translation>해당 전략에 있는 것: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays: frustum, boxes, wipe, marks, the strategy&apos;s own</source>
+        <translation>덧그림(&amp;O): 절두체, 상자, 경계선, 표시, 전략의 덧그림</translation>
     </message>
 </context>
 <context>

@@ -362,6 +362,15 @@
         <source>Submitted: %1 of %2 triangles. Visible, drawn or not: %3</source>
         <translation>提交：%2 个三角形中的 %1 个。可见的（无论是否绘制）：%3</translation>
     </message>
+    <message>
+        <source>%1 is %2 times as fast as %3 (%4).</source>
+        <extracomment>A view&apos;s letter, how many times as fast, another view&apos;s letter, the 95 % interval.</extracomment>
+        <translation>%1 的速度是 %3 的 %2 倍（%4）。</translation>
+    </message>
+    <message>
+        <source>Which one is faster is not decided.</source>
+        <translation>无法确定哪个更快。</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -8600,10 +8609,6 @@ OpenGL %2
         <translation>每幅图像上方：速度（相同面） · 提交的三角形 · 丢失的像素</translation>
     </message>
     <message>
-        <source>These views draw other sides, so their × have other baselines. A frame takes: %1</source>
-        <translation>这些视图绘制的面不同，因此 × 的基准也不同。一帧用时：%1</translation>
-    </message>
-    <message>
         <source>Next: begin with %1lesson 1%2, or drag in a picture to turn the scene.</source>
         <comment>a link in the text</comment>
         <translation>下一步：从%1第 1 课%2开始，或在图像中拖动以转动场景。</translation>
@@ -8615,6 +8620,14 @@ OpenGL %2
     <message>
         <source>drawn, visible or not</source>
         <translation>已绘制，是否可见未知</translation>
+    </message>
+    <message>
+        <source>These views draw other sides, so their × have other baselines.</source>
+        <translation>这些视图绘制的面不同，因此 × 的基准也不同。</translation>
+    </message>
+    <message>
+        <source>A frame takes: %1</source>
+        <translation>一帧用时：%1</translation>
     </message>
 </context>
 <context>
@@ -9023,6 +9036,14 @@ OpenGL %2
     <message>
         <source>Frame time of the baseline that draws the same sides divided by this strategy&apos;s, measured in turns at the same camera</source>
         <translation>绘制相同面的基线的帧时间除以本策略的帧时间，在同一相机处轮流测量</translation>
+    </message>
+    <message>
+        <source>– 95 % interval</source>
+        <translation>– 95 % 区间</translation>
+    </message>
+    <message>
+        <source>95 % interval of the speed, by bootstrap over the repeated frames of this measurement. Another start of the program can differ by more</source>
+        <translation>速度的 95 % 区间，由本次测量中重复的帧经自助法得出。重新启动程序后的差异可能更大</translation>
     </message>
 </context>
 <context>
@@ -10048,11 +10069,6 @@ sides [95 %]</source>
         <translation>截图文件夹</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, wipe, marks, %1</source>
-        <comment>names of further overlays</comment>
-        <translation>叠加层(&amp;O)：视锥体、包围盒、分界线、标记、%1</translation>
-    </message>
-    <message>
         <source>, </source>
         <comment>between names of overlays</comment>
         <translation>、</translation>
@@ -10060,6 +10076,15 @@ sides [95 %]</source>
     <message>
         <source>Will be saved as %1, %2 × %3 pixels.</source>
         <translation>将保存为 %1，%2 × %3 像素。</translation>
+    </message>
+    <message>
+        <source>Of the strategies that have them: %1</source>
+        <comment>names of overlays</comment>
+        <translation>部分策略特有：%1</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays: frustum, boxes, wipe, marks, the strategy&apos;s own</source>
+        <translation>叠加层(&amp;O)：视锥体、包围盒、分界线、标记、策略自身的叠加层</translation>
     </message>
 </context>
 <context>

@@ -85,18 +85,32 @@ TEST_F(FirstStart, legendAndNextActionAreInSightOnSmallScreensInEveryLanguage) {
     language.use(QStringLiteral("en"));
 }
 
-TEST_F(FirstStart, framesOfViewsThatDrawOtherSidesAreComparedByTheirTimes) {
+TEST_F(FirstStart, framesOfViewsThatDrawOtherSidesAreComparedBesideEachOther) {
     ASSERT_NE(session.slot(0).built()->facing(), session.slot(1).built()->facing());
     ASSERT_TRUE(waitUntil([&] { return session.figures(0).timed && session.figures(1).timed; }));
     const QString words = window.legend().figuresWords();
     EXPECT_TRUE(words.contains(QStringLiteral("other sides"))) << words.toStdString();
+    EXPECT_TRUE(words.contains(
+        QRegularExpression(QStringLiteral("(A is .* times as fast as B|B is .* times as fast as A) \\(.* – .*\\)\\."))))
+        << words.toStdString();
+    session.slot(1).choose(session.slot(0).id());
+    settle();
+    EXPECT_FALSE(window.legend().figuresWords().contains(QStringLiteral("other sides"))) << "one baseline";
+}
+
+TEST_F(FirstStart, framesOfOtherCamerasAreNotCompared) {
+    session.setFrozen(1, true);
+    Camera moved = session.viewingCamera(0);
+    moved.eye += 0.2 * (moved.eye - moved.target);
+    session.setViewingCamera(0, moved);
+    ASSERT_NE(session.cullingCamera(0), session.cullingCamera(1));
+    ASSERT_TRUE(waitUntil([&] { return session.figures(0).timed && session.figures(1).timed; }));
+    const QString words = window.legend().figuresWords();
+    EXPECT_FALSE(words.contains(QStringLiteral("times as fast"))) << words.toStdString();
     for (const int view : {0, 1}) {
         const QString time = viewLetter(view) + QLatin1Char(' ') + millisecondsText(session.figures(view).frameMilliseconds);
         EXPECT_TRUE(words.contains(time)) << words.toStdString();
     }
-    session.slot(1).choose(session.slot(0).id());
-    settle();
-    EXPECT_FALSE(window.legend().figuresWords().contains(QStringLiteral("other sides"))) << "one baseline";
 }
 
 TEST_F(FirstStart, nextActionLeadsToTheFirstLesson) {

@@ -6,6 +6,8 @@
 #include <QHeaderView>
 #include <QScrollBar>
 
+#include "core/visibility/registry.h"
+#include "tests/support/test_scenes.h"
 #include "tests/ui/test_scene.h"
 #include "ui/look/appearance.h"
 #include "ui/models/metrics_words.h"
@@ -99,6 +101,61 @@ TEST(MetricsWords, visibleTrianglesAreNotCalledSubmittedWhereSomeWereLeftOut) {
     const QString words = metricsDetails(figures, {});
     EXPECT_TRUE(words.contains(QStringLiteral("Submitted: 10 of 30 triangles. Visible, drawn or not: 15")))
         << words.toStdString();
+}
+
+/// Figures of views of the test scene, one strategy each, timed in the same turns.
+struct FastestOfViews : ::testing::Test {
+    ViewMetrics& add(const char* id, std::vector<double> times) {
+        ViewMetrics figures;
+        figures.state = ViewMetrics::State::Ready;
+        figures.timed = true;
+        figures.timing = 1;
+        figures.subject.strategy = buildStrategy(id, ParameterSet(findStrategy(id).info.parameters), scene, structures);
+        figures.frameTimes = std::move(times);
+        figures.frameMilliseconds = quantile(figures.frameTimes, 0.5);
+        metrics.push_back(std::make_unique<ViewMetrics>(std::move(figures)));
+        return *metrics.back();
+    }
+
+    QString said() const {
+        std::vector<NamedMetrics> views;
+        for (size_t i = 0; i < metrics.size(); ++i) views.push_back({viewLetter(int(i)), metrics[i].get()});
+        return fastestSentence(views);
+    }
+
+    ScenePointer scene = test::sceneOf({test::boxMesh(Vec3f(-1.0F), Vec3f(1.0F))});
+    StructureStore structures;
+    std::vector<std::unique_ptr<ViewMetrics>> metrics;
+};
+
+TEST_F(FastestOfViews, theFastestIsComparedWithTheNextOne) {
+    add("all", {8.0, 8.2, 7.8});
+    EXPECT_TRUE(said().isEmpty()) << "nothing to compare with";
+    add("frustum", {2.0, 2.1, 1.9});
+    EXPECT_TRUE(said().startsWith(QStringLiteral("B is 4.0 times as fast as A ("))) << said().toStdString();
+    EXPECT_FALSE(said().contains(QStringLiteral("not decided"))) << said().toStdString();
+    add("backface", {4.0, 4.2, 3.8});
+    EXPECT_TRUE(said().startsWith(QStringLiteral("B is 2.0 times as fast as C ("))) << said().toStdString();
+}
+
+TEST_F(FastestOfViews, timesThatCrossAreNotDecided) {
+    add("all", {8.0, 2.0, 5.0});
+    add("frustum", {4.0, 6.0, 4.9});
+    EXPECT_TRUE(said().endsWith(QStringLiteral("Which one is faster is not decided."))) << said().toStdString();
+}
+
+TEST_F(FastestOfViews, timesOfOtherTurnsViewsOrOfTheSameStrategyAreNotCompared) {
+    add("all", {8.0, 8.2, 7.8});
+    ViewMetrics& other = add("frustum", {2.0, 2.1, 1.9});
+    other.timing = 2;
+    EXPECT_TRUE(said().isEmpty()) << "another moment: " << said().toStdString();
+    other.timing = 1;
+    other.subject.culling.eye.x += 1.0;
+    EXPECT_TRUE(said().isEmpty()) << "another camera: " << said().toStdString();
+    other.subject = metrics[0]->subject;
+    EXPECT_TRUE(said().isEmpty()) << "the same strategy: " << said().toStdString();
+    add("backface", {1.0, 1.0, 1.0}).state = ViewMetrics::State::Stale;
+    EXPECT_TRUE(said().isEmpty()) << "not known any more: " << said().toStdString();
 }
 
 }  // namespace

@@ -41,14 +41,14 @@ QWidget* row(std::initializer_list<QWidget*> widgets, QWidget* parent) {
     return holder;
 }
 
-/// The words of the box that says whether overlays are drawn: those that all strategies have, and those that some declare.
-QString overlayWords() {
+/// The overlays that strategies declare, beside those that all have: too many for one line of the dialog.
+QString declaredOverlays() {
     QStringList declared;
     for (const Show* show : declaredShows(Show::Kind::Overlay)) {
         const QString title = translated(show->title);
         declared << title.left(1).toLower() + title.mid(1);
     }
-    return ScreenshotDialog::tr("&Overlays: frustum, boxes, wipe, marks, %1", "names of further overlays")
+    return ScreenshotDialog::tr("Of the strategies that have them: %1", "names of overlays")
         .arg(declared.join(ScreenshotDialog::tr(", ", "between names of overlays")));
 }
 
@@ -86,7 +86,8 @@ void ScreenshotDialog::makeWidgets() {
     m_background->addItem(tr("White"), int(Behind::White));
     m_background->addItem(tr("Black"), int(Behind::Black));
     m_background->addItem(tr("Transparent"), int(Behind::Transparent));
-    m_overlays = new QCheckBox(overlayWords(), this);
+    m_overlays = new QCheckBox(tr("&Overlays: frustum, boxes, wipe, marks, the strategy's own"), this);
+    m_overlays->setToolTip(declaredOverlays());
     m_legend = new QCheckBox(tr("&Legend of the colours, with counts"), this);
     m_caption = new QCheckBox(tr("&Caption"), this);
     m_captionText = new QLineEdit(this);

@@ -28,6 +28,7 @@ struct ViewMetrics : ViewFigures {
     };
     State state = State::Nothing;
     Message failure;
+    uint64_t timing = 0;  ///< number of the measurement that the times are of; `frameTimes` of one number are of the same turns
 
     MetricsSubject subject;  ///< the inputs of this measurement
     ViewFramePointer frame;  ///< of the view's picture and panels, which the timed frames repeat

@@ -24,6 +24,8 @@ QString MetricsModel::title(int row) {
     switch (row) {
         case Speedup:
             return tr("Speed, same sides drawn");
+        case Interval:
+            return tr("– 95 % interval");
         case Frame:
             return tr("Frame");
         case Fps:
@@ -55,6 +57,10 @@ QString MetricsModel::explanation(int row) {
             return tr(
                 "Frame time of the baseline that draws the same sides divided by this strategy's, measured in turns at the same "
                 "camera");
+        case Interval:
+            return tr(
+                "95 % interval of the speed, by bootstrap over the repeated frames of this measurement. Another start of the "
+                "program can differ by more");
         case Frame:
             return tr(
                 "Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted");
@@ -99,6 +105,9 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
     switch (row) {
         case Speedup:
             return figures.speedup ? speedText(*figures.speedup) : figures.timed ? QStringLiteral("–") : QStringLiteral("…");
+        case Interval:
+            if (!figures.speedup) return figures.timed ? QStringLiteral("–") : QStringLiteral("…");
+            return figures.speedup->hasInterval ? intervalText(*figures.speedup) : QStringLiteral("–");
         case Frame:
             return figures.timed ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…");
         case Fps:

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
+#include <algorithm>
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -52,6 +53,38 @@ QString speedSentence(const ViewFigures& figures) {
     add(figures.speedupOverFrontFaces, QCoreApplication::translate("Wording", "%1 against %2, which draws front faces only")
                                            .arg(QStringLiteral("%1"), baselineWord(BaselineRole::FrontFaces)));
     return lines.join(QLatin1Char('\n'));
+}
+
+namespace {
+
+/// Whether the times of both were taken in the same turns, of different strategies at the same view.
+bool comparable(const ViewMetrics& one, const ViewMetrics& other) {
+    const MetricsSubject &a = one.subject, &b = other.subject;
+    return one.timing == other.timing && a.buffers == b.buffers && a.culling == b.culling && a.size == b.size &&
+           (a.strategy->id() != b.strategy->id() || a.strategy->parameters() != b.strategy->parameters());
+}
+
+}  // namespace
+
+QString fastestSentence(const std::vector<NamedMetrics>& views) {
+    std::vector<NamedMetrics> timed;
+    for (const NamedMetrics& view : views)
+        if (view.figures->state == ViewMetrics::State::Ready && view.figures->timed && view.figures->subject.strategy)
+            timed.push_back(view);
+    std::ranges::stable_sort(timed, {}, [](const NamedMetrics& view) { return view.figures->frameMilliseconds; });
+    if (timed.empty()) return {};
+    const NamedMetrics& fastest = timed.front();
+    // Beside views of other cameras, or timed at another moment, it is no more than a number.
+    const auto next = std::find_if(timed.begin() + 1, timed.end(),
+                                   [&](const NamedMetrics& other) { return comparable(*fastest.figures, *other.figures); });
+    if (next == timed.end()) return {};
+    const ViewTimes times{next->figures->frameTimes, fastest.figures->frameTimes};
+    const RatioEstimate ratio = ratioOfTotals({&times, 1});
+    //: A view's letter, how many times as fast, another view's letter, the 95 % interval.
+    const QString sentence = QCoreApplication::translate("Wording", "%1 is %2 times as fast as %3 (%4).")
+                                 .arg(fastest.name, ratioText(ratio.ratio), next->name, intervalText(ratio));
+    if (ratio.hasInterval && ratio.ci95[0] > 1.0) return sentence;
+    return sentence + QLatin1Char(' ') + QCoreApplication::translate("Wording", "Which one is faster is not decided.");
 }
 
 QString missedSentence(const ViewMetrics& figures) {

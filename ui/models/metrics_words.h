@@ -25,4 +25,15 @@ namespace cullscope::ui {
 /// The speed of a view with its interval.
 [[nodiscard]] QString speedSentence(const ViewFigures& figures);
 
+/// A view's name and its metrics.
+struct NamedMetrics {
+    QString name;
+    const ViewMetrics* figures;
+};
+
+/// How many times as fast the fastest of several strategies is as the next one, with its 95 % interval: "B is 1.2 times as fast
+/// as A". Of views whose frames of one camera and size were timed in the same turns; empty where those are fewer than two
+/// different strategies.
+[[nodiscard]] QString fastestSentence(const std::vector<NamedMetrics>& views);
+
 }  // namespace cullscope::ui

@@ -11,6 +11,7 @@
 #include "core/visibility/registry.h"
 #include "ui/look/promise_marker.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -241,6 +242,7 @@ void LegendPanel::showToAudience() {
 QString LegendPanel::figuresWords() const {
     const QString words = tr("Over each picture: speed, same sides drawn · triangles submitted · pixels missed");
     std::set<Facing> rules;
+    std::vector<NamedMetrics> views;
     QStringList times;
     for (const int view : m_session.measuredViews()) {
         const BuiltStrategyPointer& strategy = m_session.slot(view).built();
@@ -248,13 +250,17 @@ QString LegendPanel::figuresWords() const {
         rules.insert(strategy->facing());
         const ViewMetrics& figures = m_session.figures(view);
         const bool known = figures.state == ViewMetrics::State::Ready && figures.timed;
+        views.push_back({viewLetter(view), &figures});
         times << viewLetter(view) + QLatin1Char(' ') +
                      (known ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…"));
     }
-    if (rules.size() < 2 || m_session.question()) return words;
-    return words + QLatin1Char('\n') +
-           tr("These views draw other sides, so their × have other baselines. A frame takes: %1")
-               .arg(times.join(QStringLiteral(" · ")));
+    if (views.size() < 2 || m_session.question()) return words;
+    QStringList lines{words};
+    if (rules.size() > 1) lines << tr("These views draw other sides, so their × have other baselines.");
+    const QString fastest = fastestSentence(views);
+    // Views of other cameras are not compared, and before all are timed there is nothing to say.
+    lines << (fastest.isEmpty() ? tr("A frame takes: %1").arg(times.join(QStringLiteral(" · "))) : fastest);
+    return lines.join(QLatin1Char('\n'));
 }
 
 void LegendPanel::refresh() {

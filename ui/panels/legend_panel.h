@@ -23,8 +23,8 @@ public:
     void showToAudience();
     /// The suggested next action; changes with the user's progress.
     [[nodiscard]] QString nextAction() const;
-    /// What the line over each picture says; and how long a frame takes, where the views draw other sides and their speeds are
-    /// thus against other baselines.
+    /// What the line over each picture says; of several views how fast they are beside each other, and whether their speeds are
+    /// against other baselines, because they draw other sides.
     [[nodiscard]] QString figuresWords() const;
     /// Suggests the first action again.
     void startAnew();

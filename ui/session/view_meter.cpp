@@ -58,6 +58,7 @@ struct ViewMeter::Bench {
 
 struct ViewMeter::Job {
     std::vector<Subject> subjects;
+    uint64_t timing = 0;  ///< ViewMetrics::timing
     std::stop_token stop;
     std::vector<ViewSubject> shown;    ///< of the subjects whose frames were asked for so far
     std::vector<ViewMetrics> figures;  ///< of the same
@@ -145,6 +146,7 @@ void ViewMeter::measure(std::vector<Subject> subjects) {
     for (const Subject& subject : subjects) buffers.push_back(subject.what.buffers);
     auto job = std::make_shared<Job>();
     job->subjects = std::move(subjects);
+    job->timing = ++m_timings;
     job->stop = m_stop.get_token();
     const auto work = [this, job](GpuJobs::Step& step) {
         try {
@@ -181,6 +183,7 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
     }
     for (size_t i = 0; i < job.subjects.size(); ++i) {
         job.rounds->addTimes(i, job.figures[i]);
+        job.figures[i].timing = job.timing;
         deliver(step, job.subjects[i].view, job.figures[i]);
     }
 }

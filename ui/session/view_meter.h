@@ -58,6 +58,7 @@ private:
     std::shared_ptr<Bench> m_bench;
     GpuJobs m_jobs;
     std::stop_source m_stop;  ///< of the newest request
+    uint64_t m_timings = 0;   ///< requests so far
 };
 
 }  // namespace cullscope::ui

@@ -61,8 +61,12 @@ QString ratioText(double ratio) {
 
 QString speedText(const RatioEstimate& speed) { return QStringLiteral("×") + ratioText(speed.ratio); }
 
+QString intervalText(const RatioEstimate& speed) {
+    return QStringLiteral("%1 – %2").arg(ratioText(speed.ci95[0]), ratioText(speed.ci95[1]));
+}
+
 QString speedWithInterval(const RatioEstimate& speed) {
-    return QStringLiteral("%1 (%2 – %3)").arg(speedText(speed), ratioText(speed.ci95[0]), ratioText(speed.ci95[1]));
+    return QStringLiteral("%1 (%2)").arg(speedText(speed), intervalText(speed));
 }
 
 QString percentText(double share) {
