@@ -3,24 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/clip_polygon.h"
+
 namespace cullscope {
 namespace {
 
 /// Differences of inverse distances below this share of them are rounding; a float depth resolves 2^-23.
 constexpr double kSameDistance = 0x1p-32;
-
-/// Keeps what lies where `inside` (linear in the points) is not negative.
-template <typename Point, typename Inside>
-void clipTo(std::vector<Point>& polygon, std::vector<Point>& buffer, const Inside& inside) {
-    buffer.clear();
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const Point &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double atA = inside(a), atB = inside(b);
-        if (atA >= 0.0) buffer.push_back(a);
-        if ((atA < 0.0 && atB > 0.0) || (atA > 0.0 && atB < 0.0)) buffer.push_back(a + (b - a) * (atA / (atA - atB)));
-    }
-    polygon.swap(buffer);
-}
 
 /// Corners that are nearer to each other, in pixels, are one: between them rounding decides where an edge points.
 constexpr double kSameCorner = 1e-6;
@@ -56,11 +45,11 @@ ScreenPolygon ScreenProjection::project(const std::vector<Vec3>& corners, const 
     std::vector<Vec3> polygon, buffer;
     for (const Vec3& corner : corners)
         polygon.emplace_back(glm::dot(m_right, corner), glm::dot(m_up, corner), glm::dot(m_forward, corner));
-    clipTo(polygon, buffer, [&](const Vec3& p) { return p.z - m_near; });
+    clipPolygon(polygon, buffer, [&](const Vec3& p) { return p.z - m_near; });
     // The sides of the picture, as planes through the eye.
     for (const double sign : {-1.0, 1.0}) {
-        clipTo(polygon, buffer, [&](const Vec3& p) { return 0.5 * m_width * p.z - sign * p.x; });
-        clipTo(polygon, buffer, [&](const Vec3& p) { return 0.5 * m_height * p.z - sign * p.y; });
+        clipPolygon(polygon, buffer, [&](const Vec3& p) { return 0.5 * m_width * p.z - sign * p.x; });
+        clipPolygon(polygon, buffer, [&](const Vec3& p) { return 0.5 * m_height * p.z - sign * p.y; });
     }
     if (polygon.size() < 3) return result;
     result.near = result.far = polygon.front().z;
@@ -101,7 +90,7 @@ Overlap overlapOf(const ScreenPolygon& first, const ScreenPolygon& second) {
     std::vector<Vec2> polygon = first.points, buffer;
     for (size_t i = 0; i < second.points.size(); ++i) {
         const Vec2 from = second.points[i], along = second.points[(i + 1) % second.points.size()] - from;
-        clipTo(polygon, buffer, [&](const Vec2& point) { return turned(along, point - from); });
+        clipPolygon(polygon, buffer, [&](const Vec2& point) { return turned(along, point - from); });
     }
     for (const Vec2& point : polygon) {
         const double one = first.inverseAt(point), other = second.inverseAt(point);

@@ -204,7 +204,8 @@ ViewHeader::FirstLine ViewHeader::fittingLine() const {
     FirstLine line;
     for (const Contents& contents : m_large ? inLecture : inWindow) {
         for (const int margin : {kMargin, kShortMargin, kTightMargin}) {
-            if (margin == kTightMargin && !m_large) continue;
+            // The id is not worth a line without gaps.
+            if (margin == kTightMargin && (!m_large || contents.id)) continue;
             line = {parts(contents), margin};
             if (widthOf(line) <= menuLeft()) return line;
         }

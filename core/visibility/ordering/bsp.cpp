@@ -5,6 +5,7 @@
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/ordering/bsp_walk.h"
+#include "core/visibility/ordering/displaced_surfaces.h"
 #include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/overlay.h"
@@ -103,6 +104,11 @@ public:
     }
     [[nodiscard]] NamedParts partsByLeaf(const Structure& structure, const FrameLog& log) const override {
         return partsInCells(structure.scene(), log, *own(structure).tree, own(structure).planes, kNodeOfFragment);
+    }
+
+    [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
+                                    const View& view) const override {
+        return surfacesStandStill(structure.scene(), view) ? promise(structure, parameters, facing) : Promise::Approximate;
     }
 
 protected:

@@ -2,6 +2,7 @@
 #include "core/spatial/painters_order.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/ordering/displaced_surfaces.h"
 #include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/ordering/painter_words.h"
@@ -204,6 +205,11 @@ public:
                        {CULLSCOPE_TR("Q is taken first"), at(PainterLine::Swap)},
                        {CULLSCOPE_TR("one is cut"), at(PainterLine::Cut)}};
         return result;
+    }
+
+    [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
+                                    const View& view) const override {
+        return surfacesStandStill(structure.scene(), view) ? promise(structure, parameters, facing) : Promise::Approximate;
     }
 
 protected:

@@ -1,0 +1,52 @@
+#include "core/visibility/ordering/displaced_surfaces.h"
+
+#include <algorithm>
+
+#include "core/geometry/clip_polygon.h"
+#include "core/visibility/eye_bounds.h"
+
+namespace cullscope::ordering {
+namespace {
+
+/// Whether a view shows a part of a triangle of the instance that is less than `least` ahead of the eye. Planes of the frustum
+/// lie farther out by `displaced`: a corner may be drawn within them that lies without.
+bool showsNearer(const Scene& scene, uint32_t number, const View& view, double displaced, double least) {
+    const Instance& instance = scene.instances()[number];
+    const TriangleMesh& mesh = scene.meshOf(number);
+    const Frustum& frustum = view.frustum();
+    const auto ahead = [&](const Vec3& corner) { return glm::dot(frustum.forward, corner); };
+    std::vector<Vec3> shown, buffer;
+    for (size_t first = 0; first < mesh.indices().size(); first += 3) {
+        shown.resize(3);
+        for (size_t i = 0; i < 3; ++i) {
+            const Vec4 position(mesh.position(mesh.indices()[first + i]), 1.0);
+            shown[i] = Vec3(instance.worldFromMesh * position) - view.eye();
+        }
+        if (std::ranges::all_of(shown, [&](const Vec3& corner) { return ahead(corner) >= least; })) continue;
+        for (size_t plane = 0; plane < size_t(FrustumPlane::Far); ++plane)
+            clipPolygon(shown, buffer, [&](const Vec3& corner) { return frustum.planes[plane].distance(corner) + displaced; });
+        if (std::ranges::any_of(shown, [&](const Vec3& corner) { return !(ahead(corner) >= least); })) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool surfacesStandStill(const Scene& scene, const View& view) {
+    const Frustum& frustum = view.frustum();
+    if (frustum.parallel()) return true;
+    const Viewport& size = view.viewport();
+    const double pixel = 2.0 * std::min(frustum.tanHalfWidth / size.width, frustum.tanHalfHeight / size.height);
+    for (uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const EyeBounds bounds = boundsFromEye(scene, i, view.eye());
+        // Half the margin of a plane test is the picture's share of it.
+        const double displaced = 0.5 * bounds.margin + scene.pictureRounding(scene.instances()[i]);
+        if (farthestAhead(bounds.box, frustum) < frustum.nearDistance - displaced) continue;
+        const double least = displaced / (kMostDisplacedPixels * pixel);
+        if (std::max(nearestAhead(bounds.box, frustum), frustum.nearDistance) >= least) continue;
+        if (showsNearer(scene, i, view, displaced, least)) return false;
+    }
+    return true;
+}
+
+}  // namespace cullscope::ordering
