@@ -224,6 +224,9 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         sayError(error.what());
         return int(error.kind());
+    } catch (const std::bad_alloc&) {
+        sayError("It cannot be started for want of memory. Close other programs, or allow it more memory (ulimit -v).");
+        return int(ErrorKind::Input);
     } catch (const std::exception& error) {
         sayError(std::string("It cannot be started: ") + error.what() +
                  ". Close other programs, or allow it more memory (ulimit -v).");

@@ -580,7 +580,7 @@
     </message>
     <message>
         <source>Non-manifold edges kept (with more than two triangles): %1.</source>
-        <translation>그대로 둔 비다양체 모서리(삼각형이 셋 이상): %1.</translation>
+        <translation>그대로 둔 비다양체 변(삼각형이 셋 이상): %1.</translation>
     </message>
     <message>
         <source>Vertices dropped whose coordinates are NaN, infinite or beyond 1e30, with the faces that use them: %1.</source>
@@ -624,7 +624,7 @@
     </message>
     <message>
         <source>Duplicate faces and non-manifold edges were not looked for: the mesh has more than %1 faces.</source>
-        <translation>면이 %1개보다 많아 중복 면과 비다양체 모서리는 찾지 않았습니다.</translation>
+        <translation>면이 %1개보다 많아 중복 면과 비다양체 변는 찾지 않았습니다.</translation>
     </message>
     <message>
         <source>%1, line %2 goes on for more than %3 MB. Check that the file is a mesh in a text format.</source>
@@ -2656,11 +2656,11 @@
     </message>
     <message>
         <source>edge table: edges by their first row</source>
-        <translation>모서리 표: 첫 행별 모서리</translation>
+        <translation>변 표: 첫 행별 변</translation>
     </message>
     <message>
         <source>for each row: its active edges</source>
-        <translation>각 행마다: 활성 모서리</translation>
+        <translation>각 행마다: 활성 변</translation>
     </message>
     <message>
         <source>begins: compare with the front</source>
@@ -2700,7 +2700,7 @@
     </message>
     <message>
         <source>A tree that needs more than 2,000,000 polygons is given up.</source>
-        <translation>다각형이 2,000,000개를 넘게 필요한 트리는 포기한다.</translation>
+        <translation>다각형이 2,000,000개를 넘게 필요한 트리는 포기합니다.</translation>
     </message>
     <message>
         <source>scene</source>
@@ -2732,11 +2732,11 @@
     </message>
     <message>
         <source>Computed from the scene of the same name: its planes P1, P2, … divide it level by level, and its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
-        <translation>같은 이름의 장면에서 계산한다. 평면 P1, P2, …가 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
+        <translation>같은 이름의 장면에서 계산합니다. 평면 P1, P2, …가 단계마다 장면을 나누고 물체는 잎에 달립니다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있습니다.</translation>
     </message>
     <message>
         <source>The order is that of drawing, back to front, as seen from the scene&apos;s camera V.</source>
-        <translation>순서는 장면의 카메라 V에서 볼 때 뒤에서 앞으로 그리는 순서이다.</translation>
+        <translation>순서는 장면의 카메라 V에서 볼 때 뒤에서 앞으로 그리는 순서입니다.</translation>
     </message>
     <message>
         <source>asked</source>
@@ -3176,19 +3176,19 @@
     </message>
     <message>
         <source>The eye lies %1 before the plane of node %2.</source>
-        <translation>눈은 노드 %2의 평면보다 %1 앞에 있다.</translation>
+        <translation>눈은 노드 %2의 평면보다 %1 앞에 있습니다.</translation>
     </message>
     <message>
         <source>The eye lies %1 behind the plane of node %2.</source>
-        <translation>눈은 노드 %2의 평면보다 뒤에 있다(%1).</translation>
+        <translation>눈은 노드 %2의 평면보다 뒤에 있습니다(%1).</translation>
     </message>
     <message>
         <source>The eye lies in the plane of node %2, at %1: its sides may come in any order.</source>
-        <translation>눈은 노드 %2의 평면 위에 있다(%1). 양쪽의 순서는 상관없다.</translation>
+        <translation>눈은 노드 %2의 평면 위에 있습니다(%1). 양쪽의 순서는 상관없습니다.</translation>
     </message>
     <message>
         <source>A part with %1 of the area of triangle %2 is drawn, with node %3.</source>
-        <translation>삼각형 %2 넓이의 %1인 부분을 노드 %3에서 그린다.</translation>
+        <translation>삼각형 %2 넓이의 %1인 부분을 노드 %3에서 그립니다.</translation>
     </message>
     <message>
         <source>the eye is before the plane</source>
@@ -3204,7 +3204,7 @@
     </message>
     <message>
         <source>The tree has the triangle in %1 parts, each drawn where the walk comes to it.</source>
-        <translation>트리에는 이 삼각형이 %1개의 부분으로 있고, 순회가 이르는 곳에서 각각 그린다.</translation>
+        <translation>트리에는 이 삼각형이 %1개의 부분으로 있고, 순회가 이르는 곳에서 각각 그립니다.</translation>
     </message>
     <message>
         <source>walking the tree</source>
@@ -3212,7 +3212,7 @@
     </message>
     <message>
         <source>The walk starts at the root: %1 nodes, %2 polygons.</source>
-        <translation>순회는 뿌리에서 시작한다. 노드 %1개, 다각형 %2개.</translation>
+        <translation>순회는 뿌리에서 시작합니다. 노드 %1개, 다각형 %2개.</translation>
     </message>
     <message>
         <source>Splitting planes</source>
@@ -3236,7 +3236,7 @@
     </message>
     <message>
         <source>draw what lies in the plane</source>
-        <translation>평면에 놓인 것을 그린다</translation>
+        <translation>평면에 놓인 것을 그립니다</translation>
     </message>
     <message>
         <source>In which order the tree is walked.</source>
@@ -3280,7 +3280,7 @@
     </message>
     <message>
         <source>Draws all triangles in the order of a BSP tree, cut where its planes pass through them.</source>
-        <translation>모든 삼각형을 BSP 트리의 순서로 그리고, 평면이 지나는 곳에서 자른다.</translation>
+        <translation>모든 삼각형을 BSP 트리의 순서로 그리고, 평면이 지나는 곳에서 자릅니다.</translation>
     </message>
     <message>
         <source>Nodes by the eye&apos;s side</source>
@@ -3288,7 +3288,7 @@
     </message>
     <message>
         <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
-        <translation>먼저 와야 할 것이 남지 않았다. 삼각형 %2 넓이의 %1을(를) 그린다.</translation>
+        <translation>먼저 와야 할 것이 남지 않았습니다. 삼각형 %2 넓이의 %1을(를) 그립니다.</translation>
     </message>
     <message>
         <source>3: P is behind Q&apos;s plane</source>
@@ -3316,7 +3316,7 @@
     </message>
     <message>
         <source>%1 polygons are sorted by their farthest depth.</source>
-        <translation>다각형 %1개를 가장 먼 깊이로 정렬한다.</translation>
+        <translation>다각형 %1개를 가장 먼 깊이로 정렬합니다.</translation>
     </message>
     <message>
         <source>P = the farthest one left</source>
@@ -3356,7 +3356,7 @@
     </message>
     <message>
         <source>Draws all triangles from far to near without depth test, and cuts those that wait for each other.</source>
-        <translation>모든 삼각형을 깊이 검사 없이 먼 것부터 그리고, 서로를 기다리는 것은 자른다.</translation>
+        <translation>모든 삼각형을 깊이 검사 없이 먼 것부터 그리고, 서로를 기다리는 것은 자릅니다.</translation>
     </message>
     <message>
         <source>How the triangles are sorted.</source>
@@ -3432,7 +3432,7 @@
     </message>
     <message>
         <source>Computed from the scene&apos;s own planes, which divide it level by level; its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
-        <translation>장면에 있는 평면으로 계산한다. 평면이 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
+        <translation>장면에 있는 평면으로 계산합니다. 평면이 단계마다 장면을 나누고 물체는 잎에 달립니다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있습니다.</translation>
     </message>
     <message>
         <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of all views.</source>
@@ -3468,11 +3468,11 @@
     </message>
     <message>
         <source>The walk comes to node %1, on the eye&apos;s side of the plane of node %2.</source>
-        <translation>순회가 노드 %1에 온다. 노드 %2의 평면에서 눈과 같은 쪽이다.</translation>
+        <translation>순회가 노드 %1에 옵니다. 노드 %2의 평면에서 눈과 같은 쪽입니다.</translation>
     </message>
     <message>
         <source>The walk comes to node %1, beyond the plane of node %2.</source>
-        <translation>순회가 노드 %1에 온다. 노드 %2의 평면 너머이다.</translation>
+        <translation>순회가 노드 %1에 옵니다. 노드 %2의 평면 너머입니다.</translation>
     </message>
     <message>
         <source>%1: %2 polygons</source>
@@ -3484,7 +3484,7 @@
     </message>
     <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
-        <translation>%1 삼각형이 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
+        <translation>%1 삼각형이 남은 것 가운데 가장 멉니다. 가장 먼 깊이는 %2입니다.</translation>
     </message>
     <message>
         <source>The triangle lies beyond a plane of the frustum.</source>
@@ -3620,7 +3620,7 @@
     </message>
     <message>
         <source>Triangle %1, which waited, is taken again; its farthest depth is %2.</source>
-        <translation>기다리던 %1 삼각형을 다시 잡는다. 가장 먼 깊이는 %2이다.</translation>
+        <translation>기다리던 %1 삼각형을 다시 잡습니다. 가장 먼 깊이는 %2입니다.</translation>
     </message>
     <message>
         <source>There is no parameter &quot;%1&quot; here, and no other one.</source>
@@ -3908,71 +3908,71 @@
     </message>
     <message>
         <source>The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle %1: it lies nearer, and so do all after it.</source>
-        <translation>삼각형 %2의 가장 먼 깊이(%4)는 삼각형 %1의 가장 가까운 깊이(%3)를 넘지 않는다. 이 삼각형과 그 뒤의 모든 삼각형이 더 가깝다.</translation>
+        <translation>삼각형 %2의 가장 먼 깊이(%4)는 삼각형 %1의 가장 가까운 깊이(%3)를 넘지 않습니다. 이 삼각형과 그 뒤의 모든 삼각형이 더 가깝습니다.</translation>
     </message>
     <message>
         <source>The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they overlap in depth.</source>
-        <translation>삼각형 %2의 가장 먼 깊이(%4)는 삼각형 %1의 가장 가까운 깊이(%3)를 넘는다. 깊이가 겹친다.</translation>
+        <translation>삼각형 %2의 가장 먼 깊이(%4)는 삼각형 %1의 가장 가까운 깊이(%3)를 넘습니다. 깊이가 겹칩니다.</translation>
     </message>
     <message>
         <source>Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
-        <translation>검사 1: x 방향으로 %1 삼각형은 픽셀 %3에서, %2 삼각형은 %4에서 끝난다. 떨어져 있다.</translation>
+        <translation>검사 1: x 방향으로 %1 삼각형은 픽셀 %3에서, %2 삼각형은 %4에서 끝납니다. 떨어져 있습니다.</translation>
     </message>
     <message>
         <source>Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
-        <translation>검사 1: x 방향으로 %1 삼각형과 %2 삼각형이 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+        <translation>검사 1: x 방향으로 %1 삼각형과 %2 삼각형이 모두 픽셀 %3부터 %4까지 차지합니다. 떨어져 있지 않습니다.</translation>
     </message>
     <message>
         <source>Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
-        <translation>검사 2: y 방향으로 %1 삼각형은 픽셀 %3에서, %2 삼각형은 %4에서 끝난다. 떨어져 있다.</translation>
+        <translation>검사 2: y 방향으로 %1 삼각형은 픽셀 %3에서, %2 삼각형은 %4에서 끝납니다. 떨어져 있습니다.</translation>
     </message>
     <message>
         <source>Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
-        <translation>검사 2: y 방향으로 %1 삼각형과 %2 삼각형이 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+        <translation>검사 2: y 방향으로 %1 삼각형과 %2 삼각형이 모두 픽셀 %3부터 %4까지 차지합니다. 떨어져 있지 않습니다.</translation>
     </message>
     <message>
         <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it lies wholly behind.</source>
-        <translation>검사 3: 눈에서 볼 때 %1 삼각형은 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있다.</translation>
+        <translation>검사 3: 눈에서 볼 때 %1 삼각형은 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗습니다. 온전히 뒤에 있습니다.</translation>
     </message>
     <message>
         <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it does not lie wholly behind.</source>
-        <translation>검사 3: 눈에서 볼 때 %1 삼각형은 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있지는 않다.</translation>
+        <translation>검사 3: 눈에서 볼 때 %1 삼각형은 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗습니다. 온전히 뒤에 있지는 않습니다.</translation>
     </message>
     <message>
         <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it lies wholly before.</source>
-        <translation>검사 4: 눈에서 볼 때 %2 삼각형은 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있다.</translation>
+        <translation>검사 4: 눈에서 볼 때 %2 삼각형은 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗습니다. 온전히 앞에 있습니다.</translation>
     </message>
     <message>
         <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it does not lie wholly before.</source>
-        <translation>검사 4: 눈에서 볼 때 %2 삼각형은 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있지는 않다.</translation>
+        <translation>검사 4: 눈에서 볼 때 %2 삼각형은 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗습니다. 온전히 앞에 있지는 않습니다.</translation>
     </message>
     <message>
         <source>No test lets triangle %1, with the farthest depth %3, come before triangle %2, with %4: the second one is taken first.</source>
-        <translation>어느 검사로도 가장 먼 깊이가 %3인 %1 삼각형이 가장 먼 깊이가 %4인 삼각형 %2보다 먼저 올 수 없다. 뒤의 것을 먼저 다룬다.</translation>
+        <translation>어느 검사로도 가장 먼 깊이가 %3인 %1 삼각형이 가장 먼 깊이가 %4인 삼각형 %2보다 먼저 올 수 없습니다. 뒤의 것을 먼저 다룹니다.</translation>
     </message>
     <message>
         <source>Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which is marked: a cycle, in which one is cut.</source>
-        <translation>가장 먼 깊이가 %3인 %1 삼각형은 표시된 %2 삼각형(가장 먼 깊이 %4)을 기다린다. 순환이므로 하나를 자른다.</translation>
+        <translation>가장 먼 깊이가 %3인 %1 삼각형은 표시된 %2 삼각형(가장 먼 깊이 %4)을 기다립니다. 순환이므로 하나를 자릅니다.</translation>
     </message>
     <message>
         <source>Triangles %1 and %2 pass through each other: 1 / depth of the first less that of the second goes from %3 to %4. One of them is cut.</source>
-        <translation>%1 삼각형과 %2 삼각형은 서로 뚫고 지나간다. 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 하나를 자른다.</translation>
+        <translation>%1 삼각형과 %2 삼각형은 서로 뚫고 지나갑니다. 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지입니다. 하나를 자릅니다.</translation>
     </message>
     <message>
         <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nowhere nearer.</source>
-        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것은 어디에서도 더 가깝지 않다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지입니다. 앞의 것은 어디에서도 더 가깝지 않습니다.</translation>
     </message>
     <message>
         <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nearer somewhere.</source>
-        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것이 어딘가에서 더 가깝다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지입니다. 앞의 것이 어딘가에서 더 가깝습니다.</translation>
     </message>
     <message>
         <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they count as apart.</source>
-        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영은 %3픽셀 겹친다. 한도(%4)를 넘지 않으므로 떨어진 것으로 본다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영은 %3픽셀 겹칩니다. 한도(%4)를 넘지 않으므로 떨어진 것으로 봅니다.</translation>
     </message>
     <message>
         <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not apart.</source>
-        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영은 %3픽셀 겹친다. 한도(%4)를 넘으므로 떨어져 있지 않다.</translation>
+        <translation>검사 5: %1 삼각형과 %2 삼각형의 투영은 %3픽셀 겹칩니다. 한도(%4)를 넘으므로 떨어져 있지 않습니다.</translation>
     </message>
     <message>
         <source>drawn polygons alone, above %1 triangles</source>
@@ -4064,7 +4064,7 @@
     </message>
     <message>
         <source>Largest value %1 ÷ distance %2 = %3 &lt; %4: its components count as too small.</source>
-        <translation>최댓값 %1 ÷ 거리 %2 = %3 &lt; %4: 구성 요소가 너무 작은 것으로 봅니다.</translation>
+        <translation>최댓값 %1 ÷ 거리 %2 = %3 &lt; %4: 구성 요소를 너무 작은 것으로 봅니다.</translation>
     </message>
     <message>
         <source>Largest value %1 ÷ distance %2 = %3 ≥ %4: its components are drawn.</source>
@@ -4308,15 +4308,15 @@
     </message>
     <message>
         <source>without single edges, above %1 of them</source>
-        <translation>모서리가 %1개를 넘어 낱개 생략</translation>
+        <translation>변이 %1개를 넘어 낱개 생략</translation>
     </message>
     <message>
         <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
-        <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열에서 시작합니다.</translation>
+        <translation>이 삼각형의 변이 활성입니다: %1행에서 x = %2에 있고, 삼각형은 %3열에서 시작합니다.</translation>
     </message>
     <message>
         <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle ends before column %3.</source>
-        <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열 앞에서 끝납니다.</translation>
+        <translation>이 삼각형의 변이 활성입니다: %1행에서 x = %2에 있고, 삼각형은 %3열 앞에서 끝납니다.</translation>
     </message>
     <message>
         <source>results alone, above %1 objects</source>
@@ -4332,19 +4332,19 @@
     </message>
     <message>
         <source>The paper&apos;s plants are not to be had, and its tables did not survive: here are generated plants of as many pipelines. Of its figures only the conclusion is left, at least 200 % more frames than by triangle.</source>
-        <translation>논문의 플랜트는 구할 수 없고 표도 남아 있지 않다. 여기서는 배관 수가 같은 생성된 플랜트를 쓴다. 수치는 결론만 남아 있다: 삼각형별 방법보다 프레임이 200 % 이상 많다.</translation>
+        <translation>논문의 플랜트는 구할 수 없고 표도 남아 있지 않습니다. 여기서는 배관 수가 같은 생성된 플랜트를 씁니다. 수치는 결론만 남아 있습니다: 삼각형별 방법보다 프레임이 200 % 이상 많습니다.</translation>
     </message>
     <message>
         <source>The views are of a walk through the plant at half its height, 30° across as in the paper.</source>
-        <translation>뷰는 플랜트 높이의 절반에서 그 안을 지나는 보행의 것이며, 논문처럼 가로 시야가 30°이다.</translation>
+        <translation>뷰는 플랜트 높이의 절반에서 그 안을 지나는 보행의 것이며, 논문처럼 가로 시야가 30°입니다.</translation>
     </message>
     <message>
         <source>The paper tests every triangle of the plant at every frame. Here small-feature-triangle has the frustum, groups, vector units and every core on its side. Its missed pixels stand beside its time.</source>
-        <translation>논문은 매 프레임 플랜트의 모든 삼각형을 검사한다. 여기서 small-feature-triangle은 절두체, 그룹, 벡터 연산, 모든 코어의 도움을 받는다. 놓친 픽셀은 시간 옆에 있다.</translation>
+        <translation>논문은 매 프레임 플랜트의 모든 삼각형을 검사합니다. 여기서 small-feature-triangle은 절두체, 그룹, 벡터 연산, 모든 코어의 도움을 받습니다. 놓친 픽셀은 시간 옆에 있습니다.</translation>
     </message>
     <message>
         <source>Groups, sizes and draw list are stages of culling: the tests of octrees, those of triangles or components by their size, and the list of what is drawn.</source>
-        <translation>그룹, 크기, 그리기 목록은 컬링의 단계이다: 옥트리의 검사, 삼각형이나 구성 요소의 크기 검사, 그릴 것의 목록.</translation>
+        <translation>그룹, 크기, 그리기 목록은 컬링의 단계입니다: 옥트리의 검사, 삼각형이나 구성 요소의 크기 검사, 그릴 것의 목록.</translation>
     </message>
     <message>
         <source>pipelines</source>
@@ -4388,7 +4388,7 @@
     </message>
     <message>
         <source>A threshold of so many pixels is the side of a square. It is k′·tan θ of small-feature and small-feature-triangle, with the paper&apos;s field of view of 30°; small-feature-bounded may lose as many pixels of a group as the square has.</source>
-        <translation>픽셀 임계값은 정사각형의 한 변이다. small-feature와 small-feature-triangle에서는 논문의 시야 30°로 계산한 k′·tan θ이고, small-feature-bounded는 한 그룹에서 그 정사각형의 픽셀 수만큼 잃을 수 있다.</translation>
+        <translation>픽셀 임계값은 정사각형의 한 변입니다. small-feature와 small-feature-triangle에서는 논문의 시야 30°로 계산한 k′·tan θ이고, small-feature-bounded는 한 그룹에서 그 정사각형의 픽셀 수만큼 잃을 수 있습니다.</translation>
     </message>
     <message>
         <source>threshold, px</source>
@@ -4480,15 +4480,15 @@
     </message>
     <message>
         <source>Of its levels 0 to %1, level %2 moves its surface by at most %3 of %4 pixels.</source>
-        <translation>단계 0~%1 가운데 %2번 단계는 표면을 많아야 %3픽셀 움직인다(허용 %4픽셀).</translation>
+        <translation>단계 0~%1 가운데 %2번 단계는 표면을 많아야 %3픽셀 움직입니다(허용 %4픽셀).</translation>
     </message>
     <message>
         <source>Level %1 would do with %2 pixels; it changes to a coarser level only below %3.</source>
-        <translation>단계 %1도 %2픽셀로 충분하지만, 더 거친 단계로는 %3픽셀 아래에서만 바뀐다.</translation>
+        <translation>단계 %1도 %2픽셀로 충분하지만, 더 거친 단계로는 %3픽셀 아래에서만 바뀝니다.</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; has %2 triangles; far away, a coarser level stands for it.</source>
-        <translation>물체 &quot;%1&quot;에는 삼각형이 %2개 있다. 멀리서는 더 거친 단계가 그것을 대신한다.</translation>
+        <translation>물체 &quot;%1&quot;에는 삼각형이 %2개 있습니다. 멀리서는 더 거친 단계가 그것을 대신합니다.</translation>
     </message>
     <message>
         <source>k = coarsest: e·f ÷ z ≤ error</source>
@@ -4500,7 +4500,7 @@
     </message>
     <message>
         <source>draw level k, nearest first</source>
-        <translation>단계 k를 가까운 것부터 그린다</translation>
+        <translation>단계 k를 가까운 것부터 그립니다</translation>
     </message>
     <message>
         <source>By how many pixels a coarser level may move an object&apos;s surface in the picture.</source>
@@ -4508,7 +4508,7 @@
     </message>
     <message>
         <source>By what share of these pixels a coarser level must stay below them before an object changes to it: against popping.</source>
-        <translation>물체가 더 거친 단계로 바뀌려면 그 단계가 이 픽셀 수보다 얼마만큼의 비율로 더 작아야 하는지: 튀는 현상을 막는다.</translation>
+        <translation>물체가 더 거친 단계로 바뀌려면 그 단계가 이 픽셀 수보다 얼마만큼의 비율로 더 작아야 하는지: 튀는 현상을 막습니다.</translation>
     </message>
     <message>
         <source>Level of detail</source>
@@ -4516,7 +4516,7 @@
     </message>
     <message>
         <source>Draws far objects with fewer triangles, whose surfaces move by a bounded number of pixels.</source>
-        <translation>멀리 있는 물체를 더 적은 삼각형으로 그린다. 그 표면이 움직이는 픽셀 수에는 한계가 있다.</translation>
+        <translation>멀리 있는 물체를 더 적은 삼각형으로 그립니다. 그 표면이 움직이는 픽셀 수에는 한계가 있습니다.</translation>
     </message>
     <message>
         <source>Outline and details</source>
@@ -4536,11 +4536,11 @@
     </message>
     <message>
         <source>The frame before took %1 of %2 ms: now the threshold is %3 and the outline %4 %.</source>
-        <translation>앞 프레임은 %2 ms 가운데 %1 ms가 걸렸다. 이제 문턱값은 %3, 윤곽은 %4%이다.</translation>
+        <translation>앞 프레임은 %2 ms 가운데 %1 ms가 걸렸습니다. 이제 문턱값은 %3, 윤곽은 %4%입니다.</translation>
     </message>
     <message>
         <source>How many frames per second threshold and outline hold, by the frames&apos; own times; 0: they stay as they are set.</source>
-        <translation>프레임 자체의 시간에 따라 문턱값과 윤곽이 유지하는 초당 프레임 수. 0: 정한 값 그대로 둔다.</translation>
+        <translation>프레임 자체의 시간에 따라 문턱값과 윤곽이 유지하는 초당 프레임 수. 0: 정한 값 그대로 둡니다.</translation>
     </message>
     <message>
         <source>Of %1 triangles %2 hold no pixel centre.</source>
@@ -4604,7 +4604,7 @@
     </message>
     <message>
         <source>A coarser surface of the object is given to OpenGL in place of the triangle.</source>
-        <translation>이 삼각형 대신 물체의 더 거친 표면이 OpenGL에 전달된다.</translation>
+        <translation>이 삼각형 대신 물체의 더 거친 표면이 OpenGL에 전달됩니다.</translation>
     </message>
     <message>
         <source>promise</source>
@@ -4620,11 +4620,11 @@
     </message>
     <message>
         <source>go on with the child drawn first</source>
-        <translation>먼저 그릴 자식으로 간다</translation>
+        <translation>먼저 그릴 자식으로 갑니다</translation>
     </message>
     <message>
         <source>go on with the child drawn last</source>
-        <translation>나중에 그릴 자식으로 간다</translation>
+        <translation>나중에 그릴 자식으로 갑니다</translation>
     </message>
     <message>
         <source>The system gives no thread for this: %1. Close other programs and try again.</source>
@@ -4788,11 +4788,11 @@
     </message>
     <message>
         <source>In row %1 there are active edges: %2; surfaces: %3.</source>
-        <translation>%1행의 활성 모서리: %2개, 면: %3개.</translation>
+        <translation>%1행의 활성 변: %2개, 면: %3개.</translation>
     </message>
     <message>
         <source>In row %1 there are active edges: %2; surfaces: %3. They lie at x = %4.</source>
-        <translation>%1행의 활성 모서리: %2개, 면: %3개. x = %4.</translation>
+        <translation>%1행의 활성 변: %2개, 면: %3개. x = %4.</translation>
     </message>
     <message>
         <source>millimetres that triangles lie away from round surfaces at most; without it, 8 to 32 chords by size</source>
@@ -4820,7 +4820,7 @@
     </message>
     <message>
         <source>draw all its triangles</source>
-        <translation>그 삼각형을 모두 그린다</translation>
+        <translation>그 삼각형을 모두 그립니다</translation>
     </message>
     <message>
         <source>front sides of each object whose mesh is closed, both sides of the others</source>
@@ -5160,7 +5160,7 @@
     </message>
     <message>
         <source>Show the edges of the drawn triangles alone; figures stay those of the filled picture</source>
-        <translation>그려진 삼각형의 모서리만 보이기. 수치는 채워진 그림의 것 그대로입니다</translation>
+        <translation>그려진 삼각형의 변만 보이기. 수치는 채워진 그림의 것 그대로입니다</translation>
     </message>
     <message>
         <source>The exact picture shows %1 triangles. They are known beforehand, and in no time of the frame.</source>
@@ -7248,11 +7248,11 @@
     </message>
     <message>
         <source>α is the angle from the sight ray, seen from the middle of the sphere: the paper&apos;s near half, up to 180° across, has α up to 90°.</source>
-        <translation>α는 구의 중심에서 본 시선과의 각도이다. 논문이 말하는 180°까지의 가까운 쪽 절반은 α가 90° 이하이다.</translation>
+        <translation>α는 구의 중심에서 본 시선과의 각도입니다. 논문이 말하는 180°까지의 가까운 쪽 절반은 α가 90° 이하입니다.</translation>
     </message>
     <message>
         <source>White cells: no triangle has its centroid there.</source>
-        <translation>흰 셀: 무게중심이 그곳에 있는 삼각형이 없다.</translation>
+        <translation>흰 셀: 무게중심이 그곳에 있는 삼각형이 없습니다.</translation>
     </message>
     <message>
         <source>from the side, as in Figures 5 to 7, with what is left out</source>
@@ -8746,10 +8746,6 @@ OpenGL %2
         <translation>전략의 판정을 읽는 중…</translation>
     </message>
     <message>
-        <source>Decisions of this frame that fell at these lines: %1. The last one fell at line %2.</source>
-        <translation>이 프레임에서 이 줄들이 내린 판정: %1개. 마지막은 %2번 줄입니다.</translation>
-    </message>
-    <message>
         <source>%1, triangle %2: no decision about it fell at a line.</source>
         <comment>name of an object</comment>
         <translation>%1, 삼각형 %2: 이 줄들에서 내린 판정이 없습니다.</translation>
@@ -8770,6 +8766,10 @@ OpenGL %2
     <message>
         <source>No decision has fallen yet. Step on with Page Down.</source>
         <translation>아직 내려진 결정이 없습니다. Page Down으로 앞으로 가십시오.</translation>
+    </message>
+    <message>
+        <source>Decisions of this frame that fell at these lines: %1.</source>
+        <translation>이 줄들에서 내린 이 프레임의 판정: %1.</translation>
     </message>
 </context>
 <context>
@@ -10996,6 +10996,10 @@ sides [95 %]</source>
         <source>difference %1 of %2, pixels: %3</source>
         <translation>차이 %1/%2, 픽셀: %3</translation>
     </message>
+    <message>
+        <source>missing up to this step, pixels: %1, nearer than the truth: %2</source>
+        <translation>이 단계까지 없는 픽셀: %1, 참값보다 가까운 픽셀: %2</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -11066,6 +11070,11 @@ sides [95 %]</source>
     <message>
         <source>The truth shows it where the raster&apos;s rounding of corners to 1/256 pixel explains the difference: no pixel is lost.</source>
         <translation>참값에는 보이지만, 래스터가 꼭짓점을 1/256 픽셀로 맞추는 것으로 설명되는 차이입니다. 잃은 픽셀은 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>

@@ -952,7 +952,7 @@
     </message>
     <message>
         <source>Leaves out objects whose bounds lie outside one of the six planes of the view.</source>
-        <translation>略去包围体位于视锥体六个平面之一外侧的物体。</translation>
+        <translation>剔除包围体位于视锥体六个平面之一外侧的物体。</translation>
     </message>
     <message>
         <source>How a bounding box is tested against a plane.</source>
@@ -1340,7 +1340,7 @@
     </message>
     <message>
         <source>The strategy leaves the object out: %1.</source>
-        <translation>策略略去该物体：%1。</translation>
+        <translation>策略剔除该物体：%1。</translation>
     </message>
     <message>
         <source>The strategy keeps the object.</source>
@@ -1788,11 +1788,11 @@
     </message>
     <message>
         <source>Whether cells whose triangles all face away are left out (where only front sides are drawn).</source>
-        <translation>是否略去所有三角形都背向的单元（仅绘制正面时）。</translation>
+        <translation>是否剔除所有三角形都背向的单元（仅绘制正面时）。</translation>
     </message>
     <message>
         <source>Whether cells behind the solid&apos;s inner kernel are left out (where the mesh is closed).</source>
-        <translation>是否略去实体内核之后的单元（网格封闭时）。</translation>
+        <translation>是否剔除实体内核之后的单元（网格封闭时）。</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the frustum, so that its objects were tested one by one.</source>
@@ -1808,7 +1808,7 @@
     </message>
     <message>
         <source>No test left the cell out: its triangles are drawn.</source>
-        <translation>没有测试略去该单元：绘制其三角形。</translation>
+        <translation>没有测试剔除该单元：绘制其三角形。</translation>
     </message>
     <message>
         <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture&apos;s snapping could undo.</source>
@@ -1844,7 +1844,7 @@
     </message>
     <message>
         <source>The strategy draws the object in part; %1 of its triangles are left out: %2.</source>
-        <translation>策略绘制该物体的一部分；其中 %1 个三角形被略去：%2。</translation>
+        <translation>策略绘制该物体的一部分；其中 %1 个三角形被剔除：%2。</translation>
     </message>
     <message>
         <source>OpenGL&apos;s selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
@@ -2056,7 +2056,7 @@
     </message>
     <message>
         <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
-        <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略略去</translation>
+        <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略剔除</translation>
     </message>
     <message>
         <source>A strategy made a picture of %1 × %2 pixels for a view of %3 × %4.</source>
@@ -2112,7 +2112,7 @@
     </message>
     <message>
         <source>not in view: leave it out</source>
-        <translation>不可见：略去</translation>
+        <translation>不可见：剔除</translation>
     </message>
     <message>
         <source>draw grown boxes for selection</source>
@@ -2136,7 +2136,7 @@
     </message>
     <message>
         <source>outside: leave all its objects out</source>
-        <translation>在外：略去其全部物体</translation>
+        <translation>在外：剔除其全部物体</translation>
     </message>
     <message>
         <source>inside: keep all its objects</source>
@@ -2152,7 +2152,7 @@
     </message>
     <message>
         <source>outside: leave the object out</source>
-        <translation>在外：略去该物体</translation>
+        <translation>在外：剔除该物体</translation>
     </message>
     <message>
         <source>draw the objects kept, nearest first</source>
@@ -2444,7 +2444,7 @@
     </message>
     <message>
         <source>outside: leave it out</source>
-        <translation>在外：略去</translation>
+        <translation>在外：剔除</translation>
     </message>
     <message>
         <source>around the eye, flat: draw all</source>
@@ -2464,7 +2464,7 @@
     </message>
     <message>
         <source>outside: leave it all out</source>
-        <translation>在外：略去该组或物体</translation>
+        <translation>在外：剔除该组或物体</translation>
     </message>
     <message>
         <source>each other object (small: draw)</source>
@@ -2472,7 +2472,7 @@
     </message>
     <message>
         <source>sphere outside: leave it out</source>
-        <translation>其球在某平面之外：略去</translation>
+        <translation>其球在某平面之外：剔除</translation>
     </message>
     <message>
         <source>walk(cell), first the whole</source>
@@ -2480,15 +2480,15 @@
     </message>
     <message>
         <source>box outside: leave it out</source>
-        <translation>其盒在某平面之外：略去</translation>
+        <translation>其盒在某平面之外：剔除</translation>
     </message>
     <message>
         <source>faces away: leave it out</source>
-        <translation>其法线全部背向：略去</translation>
+        <translation>其法线全部背向：剔除</translation>
     </message>
     <message>
         <source>behind horizon: leave it out</source>
-        <translation>在内核地平线之后：略去</translation>
+        <translation>在内核地平线之后：剔除</translation>
     </message>
     <message>
         <source>no test open, leaf, gap: draw</source>
@@ -2504,7 +2504,7 @@
     </message>
     <message>
         <source>Triangles by the test that left them out</source>
-        <translation>按略去它们的测试统计三角形</translation>
+        <translation>按剔除它们的测试统计三角形</translation>
     </message>
     <message>
         <source>planes of the frustum</source>
@@ -2548,7 +2548,7 @@
     </message>
     <message>
         <source>if d &gt; limit: leave it out</source>
-        <translation>若 d &gt; 界限：略去</translation>
+        <translation>若 d &gt; 界限：剔除</translation>
     </message>
     <message>
         <source>else draw it</source>
@@ -2560,7 +2560,7 @@
     </message>
     <message>
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
-        <translation>略去完全位于离视点一定距离之外的物体。</translation>
+        <translation>剔除完全位于离视点一定距离之外的物体。</translation>
     </message>
     <message>
         <source>triangles to the raster</source>
@@ -2844,7 +2844,7 @@
     </message>
     <message>
         <source>Left out completely</source>
-        <translation>全部舍去</translation>
+        <translation>全部剔除</translation>
     </message>
     <message>
         <source>Drawn after all</source>
@@ -2896,7 +2896,7 @@
     </message>
     <message>
         <source>Left out: %1</source>
-        <translation>舍去：%1</translation>
+        <translation>剔除：%1</translation>
     </message>
     <message>
         <source>Line %1</source>
@@ -2908,7 +2908,7 @@
     </message>
     <message>
         <source>Drawn in part; the rest is left out: %1</source>
-        <translation>绘制一部分，其余舍去：%1</translation>
+        <translation>绘制一部分，其余剔除：%1</translation>
     </message>
     <message>
         <source>Is drawn</source>
@@ -3100,7 +3100,7 @@
     </message>
     <message>
         <source>no: hidden, leave all its objects out</source>
-        <translation>否：被遮挡，略去其全部物体</translation>
+        <translation>否：被遮挡，剔除其全部物体</translation>
     </message>
     <message>
         <source>yes: visit(parts), nearest first</source>
@@ -3864,7 +3864,7 @@
     </message>
     <message>
         <source>Primitives left out because no such solid exists: %1. The first, at byte %2: %3</source>
-        <translation>因不存在这样的形体而略去的体素：%1。第一个位于第 %2 字节：%3</translation>
+        <translation>因不存在这样的形体而剔除的体素：%1。第一个位于第 %2 字节：%3</translation>
     </message>
     <message>
         <source>Its transform is flat.</source>
@@ -4100,7 +4100,7 @@
     </message>
     <message>
         <source>outside: leave its components out</source>
-        <translation>在外：略去其构件</translation>
+        <translation>在外：剔除其构件</translation>
     </message>
     <message>
         <source>leaf of L: draw its components</source>
@@ -4112,7 +4112,7 @@
     </message>
     <message>
         <source>if t &lt; k′·tan θ: leave it out</source>
-        <translation>若 t &lt; k′·tan θ：略去</translation>
+        <translation>若 t &lt; k′·tan θ：剔除</translation>
     </message>
     <message>
         <source>else draw its components</source>
@@ -4124,7 +4124,7 @@
     </message>
     <message>
         <source>A leaf is left out where its largest occupancy value, divided by its distance, is below this: k′·tan θ.</source>
-        <translation>叶节点的最大占屏值除以距离小于此值时略去：k′·tan θ。</translation>
+        <translation>叶节点的最大占屏值除以距离小于此值时剔除：k′·tan θ。</translation>
     </message>
     <message>
         <source>Levels of octree L, which holds the outline; the root is one of them.</source>
@@ -4164,7 +4164,7 @@
     </message>
     <message>
         <source>Leaves out groups of components that are too small for their distance; a plant&apos;s outline stays.</source>
-        <translation>略去相对距离过小的构件组；工厂的轮廓保留。</translation>
+        <translation>剔除相对距离过小的构件组；工厂的轮廓保留。</translation>
     </message>
     <message>
         <source>components</source>
@@ -4196,7 +4196,7 @@
     </message>
     <message>
         <source>It lies in a group of %1 components, which covers too many pixels to be left out as a whole.</source>
-        <translation>它位于有 %1 个构件的组中，该组覆盖的像素过多，不能整体略去。</translation>
+        <translation>它位于有 %1 个构件的组中，该组覆盖的像素过多，不能整体剔除。</translation>
     </message>
     <message>
         <source>for each group: planes and axes</source>
@@ -4208,7 +4208,7 @@
     </message>
     <message>
         <source>if n ≤ pixels: leave the group out</source>
-        <translation>若 n ≤ pixels：略去该组</translation>
+        <translation>若 n ≤ pixels：剔除该组</translation>
     </message>
     <message>
         <source>for each component: n of its box</source>
@@ -4216,7 +4216,7 @@
     </message>
     <message>
         <source>if n = 0: leave it out</source>
-        <translation>若 n = 0：略去</translation>
+        <translation>若 n = 0：剔除</translation>
     </message>
     <message>
         <source>if n ≤ pixels: it is a small one</source>
@@ -4224,7 +4224,7 @@
     </message>
     <message>
         <source>small ones&apos; sum ≤ pixels: leave out</source>
-        <translation>小构件之和 ≤ pixels：略去</translation>
+        <translation>小构件之和 ≤ pixels：剔除</translation>
     </message>
     <message>
         <source>draw the others, nearest first</source>
@@ -4240,7 +4240,7 @@
     </message>
     <message>
         <source>Leaves out small components where the pixels that a group may lose by it stay under a bound.</source>
-        <translation>在一组可能损失的像素不超过界限处略去小构件。</translation>
+        <translation>在一组可能损失的像素不超过界限处剔除小构件。</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; is tested as one box, then each of its %2 triangles by its size.</source>
@@ -4276,7 +4276,7 @@
     </message>
     <message>
         <source>A triangle is left out where half its longest edge, divided by its distance, is below this.</source>
-        <translation>三角形最长边之半除以距离小于此值时略去。</translation>
+        <translation>三角形最长边之半除以距离小于此值时剔除。</translation>
     </message>
     <message>
         <source>Small-feature culling by triangle</source>
@@ -4284,7 +4284,7 @@
     </message>
     <message>
         <source>Leaves out every triangle that is too small for its distance: the traditional way.</source>
-        <translation>略去所有相对距离过小的三角形：传统方法。</translation>
+        <translation>剔除所有相对距离过小的三角形：传统方法。</translation>
     </message>
     <message>
         <source>by bands of rows, above %1 triangles</source>
@@ -4324,7 +4324,7 @@
     </message>
     <message>
         <source>It is left out with its whole group (objects: %1): %2.</source>
-        <translation>它随整组一起被略去（物体 %1 个）：%2。</translation>
+        <translation>它随整组一起被剔除（物体 %1 个）：%2。</translation>
     </message>
     <message>
         <source>What lies in a plane hangs at the plane&apos;s node, in a row &quot;in&quot; with the plane&apos;s name.</source>
@@ -4548,11 +4548,11 @@
     </message>
     <message>
         <source>leave out triangles without a centre</source>
-        <translation>略去不含中心的三角形</translation>
+        <translation>剔除不含中心的三角形</translation>
     </message>
     <message>
         <source>Whether triangles without a pixel centre are left out of components that are drawn. It loses nothing.</source>
-        <translation>是否从所绘构件中略去不含像素中心的三角形。不会丢失任何内容。</translation>
+        <translation>是否从所绘构件中剔除不含像素中心的三角形。不会丢失任何内容。</translation>
     </message>
     <message>
         <source>by row, above %1 steps</source>
@@ -5196,7 +5196,7 @@
     </message>
     <message>
         <source>nothing: leave it out</source>
-        <translation>没有则略去</translation>
+        <translation>没有则剔除</translation>
     </message>
     <message>
         <source>Figure %1</source>
@@ -5664,7 +5664,7 @@
     </message>
     <message>
         <source>counted and left out; the other faces stay</source>
-        <translation>计数后略去；其余面保留</translation>
+        <translation>计数后剔除；其余面保留</translation>
     </message>
     <message>
         <source>A triangle over the seam of a map of directions</source>
@@ -6008,15 +6008,15 @@
     </message>
     <message>
         <source>No culling: nothing is left out, and %1 objects in view are drawn in vain.</source>
-        <translation>无剔除：没有略去任何物体，视野内有 %1 个物体被徒劳绘制。</translation>
+        <translation>无剔除：没有剔除任何物体，视野内有 %1 个物体被徒劳绘制。</translation>
     </message>
     <message>
         <source>View-frustum culling: all %1 objects that are left out lie outside the view, nothing that is seen is missing, and %2 objects in view are drawn though they are hidden.</source>
-        <translation>视锥剔除：略去的 %1 个物体都在视野外，可见的没有缺失，视野内有 %2 个物体虽被遮挡仍被绘制。</translation>
+        <translation>视锥剔除：剔除的 %1 个物体都在视野外，可见的没有缺失，视野内有 %2 个物体虽被遮挡仍被绘制。</translation>
     </message>
     <message>
         <source>Occlusion culling: what is left out in view is not seen, and nothing that is seen is missing.</source>
-        <translation>遮挡剔除：视野内略去的都不可见，可见的没有缺失。</translation>
+        <translation>遮挡剔除：视野内剔除的都不可见，可见的没有缺失。</translation>
     </message>
     <message>
         <source>Something that is seen is missing: %1 times a visible object is not drawn whole.</source>
@@ -6668,7 +6668,7 @@
     </message>
     <message>
         <source>yes: hidden, leave all its objects out</source>
-        <translation>是：被遮挡，略去其全部物体</translation>
+        <translation>是：被遮挡，剔除其全部物体</translation>
     </message>
     <message>
         <source>no: visit(parts), nearest first</source>
@@ -6704,7 +6704,7 @@
     </message>
     <message>
         <source>Draws the largest triangles of near objects into a depth buffer on the processor, and leaves out what lies behind them.</source>
-        <translation>在处理器上把近处物体最大的三角形画入深度缓冲，并略去其后的内容。</translation>
+        <translation>在处理器上把近处物体最大的三角形画入深度缓冲，并剔除其后的内容。</translation>
     </message>
     <message>
         <source>Masked occlusion in software</source>
@@ -6784,7 +6784,7 @@
     </message>
     <message>
         <source>hidden by nearer ones: leave it out</source>
-        <translation>被更近的遮挡：略去</translation>
+        <translation>被更近的遮挡：剔除</translation>
     </message>
     <message>
         <source>else it occludes those behind it</source>
@@ -6796,7 +6796,7 @@
     </message>
     <message>
         <source>box hidden: leave it out</source>
-        <translation>盒被遮挡：略去</translation>
+        <translation>盒被遮挡：剔除</translation>
     </message>
     <message>
         <source>Clusters of triangles</source>
@@ -6820,7 +6820,7 @@
     </message>
     <message>
         <source>Whether clusters whose triangles all face away are left out (where only front sides are drawn).</source>
-        <translation>是否略去三角形全部背向的簇（仅在只绘制正面时）。</translation>
+        <translation>是否剔除三角形全部背向的簇（仅在只绘制正面时）。</translation>
     </message>
     <message>
         <source>How many triangles a cluster has at most. An object of no more is one cluster.</source>
@@ -6856,7 +6856,7 @@
     </message>
     <message>
         <source>On the object contours shorter than %1 R are left out.</source>
-        <translation>物体上短于 %1 R 的等高线已略去。</translation>
+        <translation>物体上短于 %1 R 的等高线已剔除。</translation>
     </message>
     <message>
         <source>front: from the eye</source>
@@ -7336,7 +7336,7 @@
     </message>
     <message>
         <source>not in the cell&apos;s set: leave it out</source>
-        <translation>不在单元集合中：略去</translation>
+        <translation>不在单元集合中：剔除</translation>
     </message>
     <message>
         <source>test it against the frustum</source>
@@ -7448,7 +7448,7 @@
     </message>
     <message>
         <source>behind all: hidden, leave it out</source>
-        <translation>在全部之后：被遮挡，略去</translation>
+        <translation>在全部之后：被遮挡，剔除</translation>
     </message>
     <message>
         <source>else draw it, in the same frame</source>
@@ -8746,10 +8746,6 @@ OpenGL %2
         <translation>正在读取策略的判定…</translation>
     </message>
     <message>
-        <source>Decisions of this frame that fell at these lines: %1. The last one fell at line %2.</source>
-        <translation>本帧落在这些行的判定：%1。最后一个落在第 %2 行。</translation>
-    </message>
-    <message>
         <source>%1, triangle %2: no decision about it fell at a line.</source>
         <comment>name of an object</comment>
         <translation>%1，三角形 %2：没有关于它的判定落在这些行。</translation>
@@ -8770,6 +8766,10 @@ OpenGL %2
     <message>
         <source>No decision has fallen yet. Step on with Page Down.</source>
         <translation>尚未作出判定。按 Page Down 前进一步。</translation>
+    </message>
+    <message>
+        <source>Decisions of this frame that fell at these lines: %1.</source>
+        <translation>此帧中在这些行作出的判定：%1。</translation>
     </message>
 </context>
 <context>
@@ -10656,7 +10656,7 @@ sides [95 %]</source>
     <message>
         <source>all left out</source>
         <comment>the parts of a box</comment>
-        <translation>全部舍去</translation>
+        <translation>全部剔除</translation>
     </message>
     <message>
         <source>partly kept</source>
@@ -10996,6 +10996,10 @@ sides [95 %]</source>
         <source>difference %1 of %2, pixels: %3</source>
         <translation>差异 %1/%2，像素：%3</translation>
     </message>
+    <message>
+        <source>missing up to this step, pixels: %1, nearer than the truth: %2</source>
+        <translation>到此步为止缺少的像素：%1，比真值更近的像素：%2</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
@@ -11066,6 +11070,11 @@ sides [95 %]</source>
     <message>
         <source>The truth shows it where the raster&apos;s rounding of corners to 1/256 pixel explains the difference: no pixel is lost.</source>
         <translation>真值中可见，但该差异可由光栅将角点取整到 1/256 像素来解释：没有丢失像素。</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>two sentences</comment>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>

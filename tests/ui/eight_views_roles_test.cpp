@@ -123,8 +123,10 @@ TEST_F(EightViews, theLectureBorrowsAViewAndGivesItBack) {
     ASSERT_TRUE(lecture);
     ASSERT_TRUE(QTest::qWaitForWindowExposed(lecture, kPatience));
     EXPECT_EQ(lecture->shownView(), 0);
-    QTest::keyClick(lecture, Qt::Key_PageDown);
-    EXPECT_EQ(lecture->shownView(), 1);
+    for (const int alone : {0, 1}) {
+        QTest::keyClick(lecture, Qt::Key_PageDown);
+        EXPECT_EQ(lecture->shownView(), alone);
+    }
     settle();
     QTest::keyClick(lecture, Qt::Key_B);
     EXPECT_TRUE(lecture->blank());

@@ -1,4 +1,6 @@
 // What a first start shows: something lost beside nothing lost, and one next action.
+#include <set>
+
 #include "tests/ui/test_scene.h"
 #include "ui/text/wording.h"
 #include "ui/window/main_window.h"
@@ -110,6 +112,44 @@ TEST_F(FirstStart, framesOfOtherCamerasAreNotCompared) {
     for (const int view : {0, 1}) {
         const QString time = viewLetter(view) + QLatin1Char(' ') + millisecondsText(session.figures(view).frameMilliseconds);
         EXPECT_TRUE(words.contains(time)) << words.toStdString();
+    }
+}
+
+TEST_F(FirstStart, eightViewsHaveEightStrategies) {
+    for (const int count : {4, 6, 8}) {
+        session.setViewCount(count);
+        std::set<std::string> ids;
+        for (const int view : session.shownViews()) ids.insert(session.slot(view).id());
+        EXPECT_EQ(ids.size(), size_t(count)) << count;
+    }
+    // What was chosen stays, though another view has it.
+    session.slot(7).choose(session.slot(0).id());
+    session.setViewCount(2);
+    session.setViewCount(8);
+    EXPECT_EQ(session.slot(7).id(), session.slot(0).id());
+    settle();
+}
+
+TEST_F(FirstStart, aPickAmongManyViewsOpensThePanelThatAnswers) {
+    session.setViewCount(4);
+    settle();
+    ASSERT_FALSE(window.structurePanel().isVisible());
+    session.setActiveView(0);
+    session.pickLostAt(0, session.figures(0).holes.front().x, session.figures(0).holes.front().y);
+    EXPECT_TRUE(waitUntil([&] { return window.structurePanel().why().isVisible(); }));
+}
+
+TEST_F(FirstStart, wordsThatCountMarkedPixelsCoverNone) {
+    window.actions().loss->trigger();
+    ViewPane& pane = window.views().pane(0);
+    for (const QSize& size : {QSize(1366, 768), QSize(1366, 560)}) {
+        window.resize(size);
+        settle();
+        const auto* chip = pane.picture().findChild<QLabel*>();
+        ASSERT_TRUE(chip);
+        EXPECT_TRUE(chip->isVisible());
+        EXPECT_GE(chip->y(), int(pane.picture().pictureLayout().rect().bottom()) - 1) << size.height();
+        EXPECT_LE(chip->geometry().bottom(), pane.picture().height()) << size.height();
     }
 }
 

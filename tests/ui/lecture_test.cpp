@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <QFile>
+#include <QHeaderView>
 #include <QTemporaryDir>
 
 #include "tests/ui/lesson_window.h"
+#include "ui/panels/plane_table.h"
+#include "ui/session/object_pick.h"
 
 namespace cullscope::ui::lecture_test {
 namespace {
@@ -130,6 +133,76 @@ TEST_F(Lecture, keysOfTheWindowWorkInIt) {
     EXPECT_TRUE(waitUntil([&] { return !window.lecture(); })) << "F5 leaves, too";
 }
 
+TEST_F(Lecture, aPickAmongSeveralViewsIsAnsweredBesideThem) {
+    session.slot(0).choose("spherical");
+    session.slot(1).choose("all");
+    session.setLinked(1);
+    session.setActiveView(0);
+    LectureWindow& lecture = begin();
+    EXPECT_FALSE(lecture.structure().isVisible());
+    const int width = picture(0).width();
+    QWidget* view = &picture(0);
+    QTest::mouseClick(view, Qt::LeftButton, {}, QPoint(view->width() / 2 - view->height() / 3, view->height() / 2));
+    ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
+    EXPECT_TRUE(waitUntil([&] { return lecture.structure().why().isVisible(); }));
+    EXPECT_LT(picture(0).width(), width) << "the views make room";
+    session.setPick(std::nullopt);
+    EXPECT_TRUE(waitUntil([&] { return !lecture.structure().isVisible(); })) << "nothing is picked any more";
+}
+
+TEST_F(Lecture, rowsOfPlanesAreAsHighAsTheirLetters) {
+    watch("frustum");
+    LectureWindow& lecture = begin();
+    pickObject(session, 0);
+    lecture.structure().showWhy();
+    const auto* table = lecture.structure().why().findChild<PlaneTable*>();
+    ASSERT_TRUE(table);
+    ASSERT_TRUE(waitUntil([&] { return table->rowCount() == 6; }));
+    for (const QSize& size : {QSize(1280, 720), QSize(1920, 1080)}) {
+        lecture.resize(size);
+        QApplication::processEvents();
+        EXPECT_GE(table->rowHeight(0), table->fontMetrics().height()) << size.height();
+        EXPECT_GE(table->height(), table->horizontalHeader()->height() + 6 * table->rowHeight(0)) << size.height();
+    }
+}
+
+TEST_F(Lecture, steppingBringsTheListingToTheFront) {
+    watch("frustum");
+    LectureWindow& lecture = begin();
+    lecture.structure().showPage("losses");
+    EXPECT_FALSE(lecture.structure().listing().isVisible());
+    window.actions().stepThrough->trigger();
+    EXPECT_TRUE(waitUntil([&] { return lecture.structure().listing().isVisible(); }));
+    window.actions().stepThrough->trigger();
+}
+
+TEST_F(Lecture, aStrategyWithoutATreeOpensOnItsListing) {
+    watch("backface");
+    window.structurePanel().showPage("tree");
+    EXPECT_EQ(begin().structure().page(), "listing");
+}
+
+TEST_F(Lecture, pagesShowEachViewAloneInOrderAndThenAllAgain) {
+    session.setViewCount(4);
+    session.setActiveView(2);
+    LectureWindow& lecture = begin();
+    const auto shown = [&] {
+        std::vector<int> views;
+        for (const int view : {0, 1, 2, 3})
+            if (picture(view).window() == &lecture) views.push_back(view);
+        return views;
+    };
+    EXPECT_EQ(shown().size(), 4u);
+    for (const int view : {0, 1, 2, 3}) {
+        QTest::keyClick(&lecture, Qt::Key_PageDown);
+        EXPECT_EQ(shown(), std::vector<int>{view});
+    }
+    QTest::keyClick(&lecture, Qt::Key_PageDown);
+    EXPECT_EQ(shown().size(), 4u);
+    QTest::keyClick(&lecture, Qt::Key_PageUp);
+    EXPECT_EQ(shown(), std::vector<int>{3});
+}
+
 TEST_F(Lecture, figuresComeWhenTheyAreAskedForAndGoWithTheNextStep) {
     const auto numbers = [](const QWidget& widget) {
         QStringList words;
@@ -223,6 +296,15 @@ TEST_F(Handout, hasEveryStepWithPictureSentenceAndFigures) {
     size_t pictures = 0;
     for (size_t at = text.find("data:image/png"); at != std::string::npos; at = text.find("data:image/png", at + 1)) ++pictures;
     EXPECT_EQ(pictures, 3u);
+    // Beside two views stands the panel with map and listing, whose width is the dock's; beside four stands none.
+    const auto widthOf = [&](size_t number) {
+        size_t at = 0;
+        for (size_t i = 0; i <= number; ++i) at = text.find("base64,", at) + 7;
+        const std::string data = text.substr(at, text.find('"', at) - at);
+        return QImage::fromData(QByteArray::fromBase64(QByteArray::fromStdString(data))).width();
+    };
+    EXPECT_GT(widthOf(0), window.width() - window.structurePanel().width() + 100) << "the views alone leave the dock's width";
+    EXPECT_LE(widthOf(1), window.width());
     // What watches another view has no figures of its own to tell.
     EXPECT_EQ(text.find("watches"), std::string::npos);
     QFile printed(pdf);

@@ -73,6 +73,12 @@ TEST_F(Desk, recordingIsCountedAndThenInHand) {
     ASSERT_FALSE(own.empty());
     EXPECT_EQ(own.back().poses.size(), desk.path().poses.size());
     EXPECT_TRUE(desk.own());
+    // The bar stays, with what can be done with the path.
+    EXPECT_TRUE(desk.player().active());
+    EXPECT_FALSE(desk.player().playing());
+    EXPECT_EQ(desk.player().pose(), int(desk.path().poses.size()) - 1);
+    EXPECT_FALSE(bar.isHidden());
+    EXPECT_FALSE(bar.name().isHidden());
 }
 
 TEST_F(Desk, aPathIsTrimmedSmoothedAndNamedAndThenTheUsersOwn) {
@@ -107,6 +113,10 @@ TEST_F(Desk, isSavedAndReadAgain) {
     const std::filesystem::path file = folder.filePath(QStringLiteral("walk.json")).toStdString();
     desk.save(file);
     EXPECT_EQ(desk.path().name, file.string());
+    EXPECT_EQ(bar.name().text(), QStringLiteral("walk")) << "the file's place is in the tip";
+    EXPECT_EQ(bar.name().toolTip().toStdString(), file.string());
+    emit bar.name().editingFinished();
+    EXPECT_EQ(desk.path().name, file.string()) << "nothing was typed";
     const CameraPath written = readCameraPath(file);
     ASSERT_EQ(written.poses.size(), 7u);
     EXPECT_EQ(written.poses[6].eye, eyeOf(6));

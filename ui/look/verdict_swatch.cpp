@@ -46,7 +46,7 @@ void drawVerdictSwatch(QPainter& painter, const QRectF& place, TriangleState sta
     if (entry.look == PaletteEntry::Look::Wireframe)
         drawWireframe(painter, place.adjusted(0.5, 0.5, -0.5, -0.5), colourOf(entry));
     else if (entry.look == PaletteEntry::Look::Marked)
-        drawHatched(painter, place, colourOf(entry), palette.color(QPalette::Base));
+        drawHatched(painter, place, colourOf(entry), Qt::black);
     else
         painter.fillRect(place, colourOf(entry));
     painter.restore();

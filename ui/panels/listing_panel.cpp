@@ -134,9 +134,7 @@ QString ListingPanel::summary() const {
             .arg(countText(reading->listing->total()))
             .arg(reading->listing->current);
     if (!triangle || reading->triangle != triangle || !reading->pickedListing)
-        return tr("Decisions of this frame that fell at these lines: %1. The last one fell at line %2.")
-            .arg(countText(reading->listing->total()))
-            .arg(reading->listing->current);
+        return tr("Decisions of this frame that fell at these lines: %1.").arg(countText(reading->listing->total()));
     const QString object = QString::fromStdString(m_session.opened()->scene->instances()[m_session.pick()->object].name);
     const QString number = countText(m_session.pick()->triangle);
     if (reading->pickedListing->current == 0)
@@ -151,9 +149,10 @@ void ListingPanel::refresh() {
     if (show != std::exchange(m_show, show)) m_model->setLines(show == nullptr ? std::vector<ListingLine>() : show->lines);
     const SnapshotReadingPointer reading = this->reading();
     const bool picked = reading && !reading->upTo && reading->pickedListing && reading->triangle == m_reader.pickedTriangle();
-    m_model->setState(reading ? reading->listing : std::nullopt, !reading ? std::nullopt
-                                                                 : picked ? reading->pickedListing
-                                                                          : reading->listing);
+    m_model->setState(reading ? reading->listing : std::nullopt, !reading        ? std::nullopt
+                                                                 : picked        ? reading->pickedListing
+                                                                 : reading->upTo ? reading->listing
+                                                                                 : std::nullopt);
     m_summary->setText(summary());
     m_view->follow(reading && reading->upTo);
     m_view->setAccessibleName(tr("Lines of the strategy"));

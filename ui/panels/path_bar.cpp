@@ -1,6 +1,7 @@
 #include "ui/panels/path_bar.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
@@ -27,7 +28,10 @@ PathBar::PathBar(PathDesk& desk, QWidget* parent)
       m_name(new QLineEdit(this)) {
     layOut();
     connect(m_slider, &QSlider::valueChanged, &desk, &PathDesk::go);
-    connect(m_name, &QLineEdit::editingFinished, this, [this] { m_desk.rename(m_name->text()); });
+    connect(m_name, &QLineEdit::editingFinished, this, [this] {
+        if (m_name->isModified()) m_desk.rename(m_name->text());
+        m_name->setModified(false);
+    });
     connect(&desk, &PathDesk::changed, this, &PathBar::refresh);
     retranslate();
 }
@@ -80,7 +84,8 @@ void PathBar::press(Button button) {
             emit saveRequested();
             return;
         case Close:
-            return m_desk.stop();
+            // The recorded path stays in the bar, for what is done with it.
+            return m_desk.recorder().recording() ? m_desk.recorder().stop() : m_desk.stop();
         case ButtonCount:
             return;
     }
@@ -111,7 +116,10 @@ void PathBar::refresh() {
     m_buttons[Close]->setAccessibleName(m_buttons[Close]->toolTip());
     m_place->setText(
         tr("%1 of %2", "a pose, number of poses").arg(countText(uint64_t(player.pose()) + 1), countText(uint64_t(poses))));
-    if (!m_name->hasFocus()) m_name->setText(QString::fromStdString(m_desk.path().name));
+    const QString name = QString::fromStdString(m_desk.path().name);
+    // A path that lies in a file has the file's whole name.
+    if (!m_name->hasFocus()) m_name->setText(QFileInfo(name).isAbsolute() ? QFileInfo(name).completeBaseName() : name);
+    m_name->setToolTip(name);
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(0, std::max(0, poses - 1));
     m_slider->setPageStep(std::max(1, poses / 10));

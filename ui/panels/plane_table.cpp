@@ -101,7 +101,19 @@ void PlaneTable::setSteps(const std::vector<WhyStep>& steps, const std::vector<P
     for (const Row& row : m_rows) largest = std::max(largest, std::abs(row.test.distance));
     setRowCount(int(m_rows.size()));
     for (size_t i = 0; i < m_rows.size(); ++i) fillRow(int(i), m_rows[i], largest);
-    setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kPlaneRowHeight + 2);
+    fitRows();
+}
+
+/// A lecture's letters are higher than a row of the window.
+void PlaneTable::fitRows() {
+    const int high = std::max(kPlaneRowHeight, fontMetrics().height());
+    verticalHeader()->setDefaultSectionSize(high);
+    setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * high + 2);
+}
+
+void PlaneTable::changeEvent(QEvent* event) {
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitRows();
 }
 
 bool PlaneTable::showsUntested() const {

@@ -23,6 +23,9 @@ public:
     [[nodiscard]] bool showsUntested() const;
     void retranslate();
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
     enum Column { Plane, Distance, Bound, Bar, ColumnCount };
 
@@ -33,6 +36,7 @@ private:
     };
 
     [[nodiscard]] static std::vector<Row> rowsOf(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own);
+    void fitRows();
     void fillRow(int number, const Row& row, double largest);
 
     std::vector<Row> m_rows;

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QProxyStyle>
 #include <QScopedValueRollback>
+#include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QTabBar>
 #include <QTableView>
@@ -159,6 +160,16 @@ void StructurePanel::showSteps() {
     if (!m_chosenWhileStepping && m_tabs->isTabVisible(m_tabs->indexOf(m_listing))) m_tabs->setCurrentWidget(m_listing);
 }
 
+void StructurePanel::showWhy() {
+    m_tabs->setCurrentWidget(m_why);
+    // In a low window the tabs reach below what their place shows. Queued: the page is laid out first.
+    const auto scroll = [this] {
+        for (QWidget* place = parentWidget(); place != nullptr; place = place->parentWidget())
+            if (auto* area = qobject_cast<QScrollArea*>(place); area != nullptr) area->ensureWidgetVisible(m_tabs, 0, 0);
+    };
+    QMetaObject::invokeMethod(this, scroll, Qt::QueuedConnection);
+}
+
 void StructurePanel::chooseWhileStepping() { m_chosenWhileStepping = m_chosenWhileStepping || m_session.step().has_value(); }
 
 void StructurePanel::showTab(QWidget* page, bool shown) {
@@ -207,6 +218,9 @@ void StructurePanel::setShows(const std::vector<Show>& shows) {
     showTab(m_listing, has(Show::Kind::Listing));
     showTab(m_chart, std::ranges::any_of(shows, [](const Show& show) { return !show.chart.empty(); }));
     showTab(m_bars, has(Show::Kind::Bars));
+    // An audience has no use for a tree that a strategy does not have.
+    if (m_audience && m_tabs->currentWidget() == m_tree && !has(Show::Kind::Tree) && has(Show::Kind::Listing))
+        m_tabs->setCurrentWidget(m_listing);
     m_map->setVisible(!m_audience || has(Show::Kind::DirectionMap));
     markPart();
 }

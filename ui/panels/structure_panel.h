@@ -53,7 +53,7 @@ public:
     [[nodiscard]] std::string page() const;
     void showPage(const std::string& id);
     /// Shows the tab with the decisions on the picked triangle.
-    void showWhy() { m_tabs->setCurrentWidget(m_why); }
+    void showWhy();
 
 signals:
     /// Pages may need another height than before.

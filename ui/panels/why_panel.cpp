@@ -123,8 +123,9 @@ void WhyPanel::showState() {
     m_swatch->setVisible(state.has_value());
     if (state) m_swatch->setState(*state);
     const QString decided = this->decided();
-    m_state->setText(decided.isEmpty()
-                         ? stateText()
+    m_state->setText(decided.isEmpty() ? stateText()
+                     : !state
+                         ? tr("%1 %2", "two sentences").arg(stateText(), decided)
                          : tr("%1. %2", "state of a triangle, the sentence that says what decided").arg(stateText(), decided));
 }
 

@@ -39,6 +39,9 @@ void applyStep(Session& session, const LessonStep& step) {
         resolve(step.culling[view], scene, setup.culling, setup.role == Role::Frozen ? state.camera : setup.culling);
         resolve(step.viewing[view], scene, setup.viewing, setup.role == Role::Frozen ? setup.culling : setup.viewing);
     }
+    // Views that come into sight later have strategies of their own (Session::setViewCount).
+    for (int view = 0; view < Session::kMostViews; ++view)
+        if (!isSeen(state, view)) state.views[size_t(view)].strategy.clear();
     session.setPick(std::nullopt);
     session.setQuestion(std::nullopt);
     applyState(session, state);

@@ -20,19 +20,6 @@ using Json = nlohmann::ordered_json;
 /// A lesson's steps begin from this one.
 LessonStep stepBeforeTheFirst() { return lessonFromText("title en -\nstep\nsay en -\n", {}).steps.front(); }
 
-/// Whether a view's picture depends on another view.
-bool leansOn(const SessionState::View& view, int other) {
-    const bool beside = view.setup.wipe.mode == Wipe::Mode::OtherView || view.setup.wipe.mode == Wipe::Mode::Difference;
-    return (view.setup.role == Role::Observer && view.setup.observed == other) || (beside && view.setup.wipe.other == other);
-}
-
-bool matters(const SessionState& state, int view) {
-    const auto shown = [&](int each) { return state.viewCount == 1 ? each == state.activeView : each < state.viewCount; };
-    for (int each = 0; each < Session::kMostViews; ++each)
-        if (shown(each) && (each == view || leansOn(state.views[size_t(each)], view))) return true;
-    return false;
-}
-
 std::map<std::string, std::string> withoutDefaults(const SessionState::View& view) {
     const ParameterSet defaults(findStrategy(view.strategy).info.parameters);
     std::map<std::string, std::string> parameters = view.parameters;
@@ -49,7 +36,7 @@ SessionState reduced(SessionState state, const SessionState& before) {
     for (int view = 0; view < Session::kMostViews; ++view) {
         SessionState::View& mine = state.views[size_t(view)];
         const SessionState::View& former = before.views[size_t(view)];
-        if (!matters(state, view)) mine = former;
+        if (!isSeen(state, view)) mine = former;
         mine.parameters = withoutDefaults(mine);
         if (mine.setup.role == Role::Linked) mine.setup.viewing = former.setup.viewing;
         if (mine.setup.role != Role::Frozen) mine.setup.culling = former.setup.culling;

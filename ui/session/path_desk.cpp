@@ -44,13 +44,17 @@ void PathDesk::take(CameraPath path, bool own) {
 
 void PathDesk::takeRecorded() {
     if (m_recorder->recording()) {
+        m_recording = true;
         emit changed();
         return;
     }
+    const bool ended = std::exchange(m_recording, false);
     // From now on the newest path is played.
     if (!m_player->playing()) m_player->stop();
     const bool lensDiffers = m_recorder->lensDiffers();
     take(m_recorder->path(), true);
+    // Now it can be trimmed, smoothed and named, from where the camera stands.
+    if (ended) go(int(m_path.poses.size()) - 1);
     if (lensDiffers)
         m_session.raise(Severity::Warning,
                         {QT_TRANSLATE_NOOP("core",

@@ -70,6 +70,7 @@ private:
     CameraPath m_path;
     QString m_making;
     bool m_own = false;
+    bool m_recording = false;
 };
 
 }  // namespace cullscope::ui

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/scene/camera_path.h"
@@ -124,6 +125,7 @@ void Session::makeView(int view) {
     state.slot = std::make_unique<StrategySlot>(
         info.id, ParameterSet(info.parameters), [this](const StrategyInfo& chosen) { return unavailable(chosen); }, m_structures);
     connect(state.slot.get(), &StrategySlot::chosen, this, [this, view] {
+        m_views[size_t(view)].strategyChosen = true;
         // A frame of the former strategy may take minutes.
         m_frames->interrupt(view);
         if (std::ranges::find(m_underWay, view, &ViewMeter::Subject::view) != m_underWay.end()) cancelFigures();
@@ -257,11 +259,24 @@ void Session::wantStrategies() {
 
 void Session::setViewCount(int count) {
     if (count == m_viewCount || std::find(kViewCounts.begin(), kViewCounts.end(), count) == kViewCounts.end()) return;
+    const std::vector<int> before = shownViews();
     m_viewCount = count;
     if (count > 1 && m_activeView >= count) setActiveView(0);
+    for (const int view : shownViews())
+        if (std::ranges::find(before, view) == before.end()) offerStrategy(view);
     wantStrategies();
     emit viewCountChanged();
     update();
+}
+
+void Session::offerStrategy(int view) {
+    if (m_views[size_t(view)].strategyChosen) return;
+    std::set<std::string> shownElsewhere;
+    for (const int other : shownViews())
+        if (other != view) shownElsewhere.insert(slot(other).id());
+    if (!shownElsewhere.contains(slot(view).id())) return;
+    for (const RegisteredStrategy& strategy : strategies())
+        if (!shownElsewhere.contains(strategy.info.id) && !unavailable(strategy.info)) return slot(view).choose(strategy.info.id);
 }
 
 void Session::setActiveView(int view) {

@@ -256,6 +256,7 @@ private:
         uint32_t turn = 0;              ///< FrameRequest::turn
         uint32_t turns = 0;             ///< made since the view stands where it does
         std::optional<Stand> standsAt;  ///< where the view was when it came to rest
+        bool strategyChosen = false;    ///< else one of its own is, when it comes into sight
         bool complained = false;        ///< a drawing error was reported and no picture was drawn since
     };
 
@@ -264,6 +265,8 @@ private:
     void wantStrategies();
     [[nodiscard]] std::optional<ViewRequest> pictureWish(int view) const;
     void makeView(int view);
+    /// Gives a view whose strategy was not chosen one that no other shown view has, as far as there are as many.
+    void offerStrategy(int view);
     void tellRepairs();
     void nameInQuestion(uint64_t triangle, const Vec3& point);
     void pickIn(int view, const ViewRequest& request, int x, int y);

@@ -48,6 +48,9 @@ struct SessionState {
     bool operator==(const SessionState&) const = default;
 };
 
+/// Whether a view is shown, or one that is shown depends on its strategy.
+[[nodiscard]] bool isSeen(const SessionState& state, int view);
+
 /// Captures all of the state but arrangement, `structurePanel` and bookmarks, which the session does not hold, and the style,
 /// which depends on the window's appearance. `scene` is empty if none is open.
 [[nodiscard]] SessionState captureState(const Session& session);

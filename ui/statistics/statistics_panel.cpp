@@ -23,6 +23,7 @@ namespace {
 constexpr int kInterval = 100;  // ms between two refreshes
 constexpr int kPanelSpacing = 6;
 constexpr int kRowHeight = 22;
+constexpr int kHeaderMargins = 6;
 
 }  // namespace
 
@@ -133,6 +134,8 @@ void StatisticsPanel::setUpTable() {
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionsClickable(false);
     m_table->horizontalHeader()->setStretchLastSection(false);
+    // Two lines in the letters of any language: a header asks for those of the first font alone.
+    m_table->horizontalHeader()->setMinimumHeight(2 * lineHeight(m_table->horizontalHeader()->fontMetrics()) + kHeaderMargins);
     m_tableEmpty->setAlignment(Qt::AlignCenter);
     m_tableEmpty->setWordWrap(true);
     m_tableEmpty->setAutoFillBackground(true);

@@ -10,7 +10,8 @@ constexpr double kAxisReach = 34.0;   // from the middle to an end, in a picture
 constexpr double kSmallReach = 20.0;  // in a smaller one
 constexpr double kBallShare = 0.26;   // of the reach
 constexpr double kGizmoMargin = 6.0;
-constexpr double kRoomy = 360.0;  // width of a picture
+constexpr double kRoomy = 360.0;        // width of a picture
+constexpr double kLettersOfBall = 1.5;  // height of the letters, in radii of the ball around them
 
 // The usual colours of the axes, dark enough for white letters, and distinct from the colours of the verdicts.
 constexpr std::array kColours{QColor(178, 62, 62), QColor(62, 128, 62), QColor(66, 92, 170)};
@@ -18,9 +19,19 @@ constexpr std::array kNames{"X", "Y", "Z"};
 
 }  // namespace
 
-OrientationGizmo::OrientationGizmo(const View& camera, const QRectF& picture, double unit) : m_unit(unit) {
-    const double reach = unit * (picture.width() > unit * kRoomy ? kAxisReach : kSmallReach);
+bool OrientationGizmo::hasRoom(const QRectF& picture, double unit, int letters) {
+    return letters == 0 || picture.width() > unit * kRoomy;
+}
+
+OrientationGizmo::OrientationGizmo(const View& camera, const QRectF& picture, double unit, int letters) : m_unit(unit) {
+    double reach = unit * (picture.width() > unit * kRoomy ? kAxisReach : kSmallReach);
     m_ball = kBallShare * reach;
+    m_letters = std::max(9, int(kLettersOfBall * m_ball));
+    if (m_letters < letters) {
+        m_letters = letters;
+        m_ball = letters / kLettersOfBall;
+        reach = m_ball / kBallShare;
+    }
     const double away = kGizmoMargin * unit + reach + m_ball;
     m_middle = picture.bottomLeft() + QPointF(away, -away);
     const Frustum& frustum = camera.frustum();
@@ -39,11 +50,19 @@ void OrientationGizmo::paint(QPainter& painter) const {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     QFont font = painter.font();
-    font.setPixelSize(std::max(9, int(1.5 * m_ball)));
+    font.setPixelSize(m_letters);
     font.setBold(true);
     painter.setFont(font);
+    // The lines first: none crosses a letter.
+    for (const End& end : m_ends)
+        if (positive(end)) paintLine(painter, end);
     for (const End& end : m_ends) paintEnd(painter, end);
     painter.restore();
+}
+
+void OrientationGizmo::paintLine(QPainter& painter, const End& end) const {
+    painter.setPen(QPen(kColours[size_t(end.axis)], 2.0 * m_unit));
+    painter.drawLine(m_middle, end.place);
 }
 
 void OrientationGizmo::paintEnd(QPainter& painter, const End& end) const {
@@ -51,7 +70,6 @@ void OrientationGizmo::paintEnd(QPainter& painter, const End& end) const {
     const QRectF ball(end.place - QPointF(m_ball, m_ball), 2.0 * QSizeF(m_ball, m_ball));
     if (positive(end)) {
         painter.setPen(QPen(colour, 2.0 * m_unit));
-        painter.drawLine(m_middle, end.place);
         painter.setBrush(colour);
         painter.drawEllipse(ball);
         painter.setPen(Qt::white);

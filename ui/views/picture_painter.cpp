@@ -78,6 +78,27 @@ void paintWipeLine(QPainter& painter, const QRectF& target, const PictureExtras&
     label(painter, QRectF(x, target.top(), target.right() - x, target.height()), Qt::AlignLeft, extras.right, extras.unit);
 }
 
+}  // namespace
+
+void paintScaled(QPainter& painter, const QRectF& target, const QImage& image) {
+    const QTransform toDevice = painter.deviceTransform();
+    const double scale = target.width() * toDevice.m11() / image.width();
+    const int whole = int(std::ceil(scale - kAboutWhole));
+    const bool fraction = scale > 1.0 + kAboutWhole && std::abs(scale - std::round(scale)) * image.width() > 0.5;
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, fraction || scale < 1.0 - kAboutWhole);
+    // With the nearest pixel it would have uneven sides, with a mean of four it would be blurred: it is enlarged by the next
+    // whole number first, and then reduced.
+    if (!fraction || whole > kMostEnlargement) return painter.drawImage(target, image);
+    // Only the part that is painted: a loupe shows little of the picture.
+    const QRectF seen = painter.hasClipping() ? target & painter.clipBoundingRect() : target;
+    const QTransform toImage = QTransform::fromTranslate(-target.left(), -target.top()) *
+                               QTransform::fromScale(image.width() / target.width(), image.height() / target.height());
+    const QRect part = toImage.mapRect(seen).toAlignedRect() & image.rect();
+    if (part.isEmpty()) return;
+    const QImage enlarged = image.copy(part).scaled(part.size() * whole);
+    painter.drawImage(toImage.inverted().mapRect(QRectF(part)), enlarged);
+}
+
 /// Light letters with a dark edge on what they name, or above it where it is smaller than they are.
 void paintNames(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
     const double perPixel = target.width() / picture.request.size.width;
@@ -120,27 +141,6 @@ void paintLoupe(QPainter& painter, const QRectF& target, const ViewPicture& pict
     paintLayers(painter, enlarged, picture, extras.wipe);
     painter.restore();
     strokeTwice(painter, lens, extras.unit);
-}
-
-}  // namespace
-
-void paintScaled(QPainter& painter, const QRectF& target, const QImage& image) {
-    const QTransform toDevice = painter.deviceTransform();
-    const double scale = target.width() * toDevice.m11() / image.width();
-    const int whole = int(std::ceil(scale - kAboutWhole));
-    const bool fraction = scale > 1.0 + kAboutWhole && std::abs(scale - std::round(scale)) * image.width() > 0.5;
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, fraction || scale < 1.0 - kAboutWhole);
-    // With the nearest pixel it would have uneven sides, with a mean of four it would be blurred: it is enlarged by the next
-    // whole number first, and then reduced.
-    if (!fraction || whole > kMostEnlargement) return painter.drawImage(target, image);
-    // Only the part that is painted: a loupe shows little of the picture.
-    const QRectF seen = painter.hasClipping() ? target & painter.clipBoundingRect() : target;
-    const QTransform toImage = QTransform::fromTranslate(-target.left(), -target.top()) *
-                               QTransform::fromScale(image.width() / target.width(), image.height() / target.height());
-    const QRect part = toImage.mapRect(seen).toAlignedRect() & image.rect();
-    if (part.isEmpty()) return;
-    const QImage enlarged = image.copy(part).scaled(part.size() * whole);
-    painter.drawImage(toImage.inverted().mapRect(QRectF(part)), enlarged);
 }
 
 void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {

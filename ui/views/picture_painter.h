@@ -35,4 +35,7 @@ void paintScaled(QPainter& painter, const QRectF& target, const QImage& image);
 /// in the painter's font.
 void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras);
 
+/// Paints the names alone, of which paintPicture paints those in its extras.
+void paintNames(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras);
+
 }  // namespace cullscope::ui

@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <cmath>
+#include <utility>
 
 #include "core/measure/accuracy.h"
 #include "core/visibility/registry.h"
@@ -48,7 +49,7 @@ PictureLayout SceneView::pictureLayout() const {
     Viewport size = shown ? shown->request.size : renderSize();
     // While the user resizes the window, the last picture is shown at its own size.
     if (size.width < 1 || size.height < 1) size = {std::max(1, width()), std::max(1, height())};
-    return {QSizeF(this->size()), devicePixelRatioF(), size};
+    return {QSizeF(width(), std::max(1, height() - m_foot)), devicePixelRatioF(), size};
 }
 
 View SceneView::camera() const { return View(m_session.viewingCamera(m_view), renderSize()); }
@@ -183,8 +184,9 @@ void SceneView::endLoupe() {
     emit loupeMoved(m_view, std::nullopt);
 }
 
-void SceneView::setUnit(double unit) {
+void SceneView::setUnit(double unit, int letters) {
     m_unit = unit;
+    m_letters = letters;
     update();
 }
 
@@ -196,7 +198,9 @@ void SceneView::setAxes(bool on) {
 std::optional<OrientationGizmo> SceneView::axes() const {
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (!m_axes || !shown || shown->request.look.inPlace()) return std::nullopt;
-    return OrientationGizmo(View(shown->request.viewing, shown->request.size), pictureLayout().rect(), m_unit);
+    const QRectF picture = pictureLayout().rect();
+    if (!OrientationGizmo::hasRoom(picture, m_unit, m_letters)) return std::nullopt;
+    return OrientationGizmo(View(shown->request.viewing, shown->request.size), picture, m_unit, m_letters);
 }
 
 void SceneView::goToNextLoss() {
@@ -232,12 +236,17 @@ void SceneView::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().color(QPalette::Window));
     const PictureLayout layout = pictureLayout();
     const ViewPicturePointer shown = m_session.picture(m_view);
+    PictureExtras over = extras();
+    // Over the outlines of a step: they would cross the letters.
+    const std::vector<PlacedName> names = std::exchange(over.names, {});
     if (shown)
-        paintPicture(painter, layout.rect(), *shown, extras());
+        paintPicture(painter, layout.rect(), *shown, over);
     else
         painter.fillRect(layout.rect(), QColor::fromRgbF(m_session.drawStyle().background.x, m_session.drawStyle().background.y,
                                                          m_session.drawStyle().background.z));
     paintStep(painter, layout);
+    over.names = names;
+    if (shown) paintNames(painter, layout.rect(), *shown, over);
     if (const OpenedScenePointer& opened = m_session.opened();
         shown && opened && m_session.pick() && !m_session.question() && !shown->request.look.inPlace())
         paintPick(painter, *opened->scene, *m_session.pick(), m_session.pointBefore(),

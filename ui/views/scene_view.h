@@ -73,8 +73,14 @@ public:
     bool leaveLosses();
     /// Shows a rectangle that is being dragged, in the widget; none: there is none.
     void setRegion(const std::optional<QRectF>& region);
-    /// The scale of line widths and signs over the picture; 1 in the window, more on the large screen of a lecture.
-    void setUnit(double unit);
+    /// The scale of line widths and signs over the picture, 1 in the window and more on the large screen of a lecture; and the
+    /// least height of letters there.
+    void setUnit(double unit, int letters = 0);
+    /// Leaves so much of the height free below the picture.
+    void setFoot(int height) {
+        if (height == std::exchange(m_foot, height)) return;
+        update();
+    }
     /// Shows or hides the scene's axes in a corner, whose ends can be clicked.
     void setAxes(bool on);
     /// The scene's axes; none: they are not shown.
@@ -108,6 +114,8 @@ protected:
 
 private:
     double m_unit = 1.0;
+    int m_letters = 0;
+    int m_foot = 0;
     void tellSize();
     /// What a stepped view has over its picture: what is decided and not drawn yet, and the subject in hand.
     void paintStep(QPainter& painter, const PictureLayout& layout) const;

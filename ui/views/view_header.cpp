@@ -178,7 +178,7 @@ QFont ViewHeader::face(bool bold) const {
 
 std::vector<ViewHeader::Part> ViewHeader::parts(const Contents& contents) const {
     std::vector<Part> parts;
-    if (m_session.viewCount() > 1) parts.push_back({.text = viewLetter(m_view), .bold = true, .subdued = true});
+    if (m_session.viewCount() > 1) parts.push_back({.text = viewLetter(m_view), .bold = true, .subdued = true, .apart = true});
     if (const QString role = roleWord(); !role.isEmpty())
         parts.push_back({.text = contents.name ? role + QString::fromUtf8(kJoint) : role, .joined = contents.name});
     if (contents.name) parts.push_back({.text = translated(info().name), .bold = true});
@@ -188,17 +188,21 @@ std::vector<ViewHeader::Part> ViewHeader::parts(const Contents& contents) const 
     return parts;
 }
 
+int ViewHeader::gapAfter(const Part& part, const FirstLine& line) {
+    return part.joined ? 0 : part.apart ? std::max(line.margin, kShortMargin) : line.margin;
+}
+
 int ViewHeader::widthOf(const FirstLine& line) const {
     int width = line.margin;
     for (const Part& part : line.parts) {
         if (part.marker) width += markerSize() + kMargin / 2;
-        width += QFontMetrics(face(part.bold)).horizontalAdvance(part.text) + (part.joined ? 0 : line.margin);
+        width += QFontMetrics(face(part.bold)).horizontalAdvance(part.text) + gapAfter(part, line);
     }
     return width;
 }
 
 ViewHeader::FirstLine ViewHeader::fittingLine() const {
-    static const std::vector<Contents> inWindow{{}, {.id = false}, {.name = false}};
+    static const std::vector<Contents> inWindow{{}, {.id = false}, {.word = false, .id = false}, {.name = false}};
     static const std::vector<Contents> inLecture{
         {}, {.id = false}, {.word = false, .id = false}, {.promise = false, .id = false}, {.name = false, .word = false}};
     FirstLine line;
@@ -238,7 +242,7 @@ void ViewHeader::paintFirstLine(QPainter& painter) {
         painter.setFont(face(part.bold));
         painter.setPen(part.subdued ? subdued(palette()) : text);
         write(painter, QRect(x, 0, menuLeft() - x, m_lineHeight), part.text);
-        x += painter.fontMetrics().horizontalAdvance(part.text) + (part.joined ? 0 : line.margin);
+        x += painter.fontMetrics().horizontalAdvance(part.text) + gapAfter(part, line);
     }
 }
 

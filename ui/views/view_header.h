@@ -50,6 +50,7 @@ private:
         bool bold = false;
         bool subdued = false;
         bool joined = false;              ///< no gap after it
+        bool apart = false;               ///< a visible gap after it, in the tightest line, too
         std::optional<Promise> marker{};  ///< painted before the text
     };
     struct FirstLine {
@@ -66,6 +67,7 @@ private:
     };
     [[nodiscard]] std::vector<Part> parts(const Contents& contents) const;
     [[nodiscard]] FirstLine fittingLine() const;
+    [[nodiscard]] static int gapAfter(const Part& part, const FirstLine& line);
     [[nodiscard]] int widthOf(const FirstLine& line) const;
     [[nodiscard]] int markerSize() const;
     [[nodiscard]] QFont face(bool bold) const;

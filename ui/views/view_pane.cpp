@@ -82,6 +82,9 @@ QString ViewPane::markedPixels(const ViewPicture& shown) const {
     const bool counted = figures.state == ViewMetrics::State::Ready && figures.frame &&
                          figures.frame->request.sameFrame(shown.frame->request) &&
                          shown.request.viewing == shown.request.culling && figures.accuracy.missedPixels == shown.missed;
+    if (m_session.stepOf(m_view))
+        return tr("missing up to this step, pixels: %1, nearer than the truth: %2")
+            .arg(countText(shown.missed), countText(shown.added));
     const uint64_t lost = counted ? figures.lostPixels() : shown.missed;
     if (lost == shown.missed)
         return tr("missed pixels: %1, nearer than the truth: %2").arg(countText(lost), countText(shown.added));
@@ -139,7 +142,6 @@ void ViewPane::refresh() {
 }
 
 void ViewPane::refreshChip() {
-    m_header->setScale(m_picture->pictureLayout().scale());
     const QString text = chipText();
     m_chip->setText(text);
     m_chip->setVisible(!text.isEmpty());
@@ -148,14 +150,21 @@ void ViewPane::refreshChip() {
     m_chip->setWordWrap(false);
     m_chip->setWordWrap(m_chip->sizeHint().width() > room);
     m_chip->resize(m_chip->wordWrap() ? QSize(room, m_chip->heightForWidth(room)) : m_chip->sizeHint());
+    m_picture->setFoot(0);
+    // What is marked must not be covered by the words that count it. A picture that fits the window keeps its size.
+    const Wipe::Mode mode = m_session.setup(m_view).wipe.mode;
+    const bool marks = mode == Wipe::Mode::Loss || mode == Wipe::Mode::Difference;
+    if (marks && !text.isEmpty() && m_session.setup(m_view).size && roomBelow() < m_chip->height())
+        m_picture->setFoot(m_chip->height());
+    m_header->setScale(m_picture->pictureLayout().scale());
     m_chip->move(chipPlace());
 }
 
+int ViewPane::roomBelow() const { return m_picture->height() - m_picture->pictureLayout().rect().toAlignedRect().bottom() - 1; }
+
 /// Beside the picture where a letterboxed one leaves room for the chip, else in its upper left corner.
 QPoint ViewPane::chipPlace() const {
-    const QRect shown = m_picture->pictureLayout().rect().toAlignedRect();
-    const int below = m_picture->height() - shown.bottom() - 1;
-    if (below >= m_chip->height()) return {kChipInset, m_picture->height() - m_chip->height()};
+    if (roomBelow() >= m_chip->height()) return {kChipInset, m_picture->height() - m_chip->height()};
     return {kChipInset, kChipInset};
 }
 
@@ -178,7 +187,10 @@ void ViewPane::setLent(Lent lent, int letters) {
     if (lent != Lent::No) large.setPixelSize(letters);
     setFont(large);
     m_header->setLetters(lent == Lent::No ? 0 : letters);
-    m_picture->setUnit(lent == Lent::No ? 1.0 : std::max(1.0, letters / kLettersOfLecture));
+    if (lent == Lent::No)
+        m_picture->setUnit(1.0);
+    else
+        m_picture->setUnit(std::max(1.0, letters / kLettersOfLecture), letters);
     arrange();
 }
 

@@ -51,6 +51,8 @@ private:
     void refresh();
     void refreshChip();
     [[nodiscard]] QPoint chipPlace() const;
+    /// Between the shown picture and the lower edge of its widget.
+    [[nodiscard]] int roomBelow() const;
     void retranslate();
     [[nodiscard]] QStringList lensParts() const;
     /// How many pixels the picture marks as missed or added, and how many of the former are no loss.

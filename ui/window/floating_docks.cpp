@@ -44,6 +44,12 @@ void FloatingDocks::setUp(const Floating& entry) {
     entry.dock->setFloating(m_floating);
 }
 
+void FloatingDocks::showBeside(QDockWidget& dock) {
+    dock.setAttribute(Qt::WA_ShowWithoutActivating);
+    dock.show();
+    dock.setAttribute(Qt::WA_ShowWithoutActivating, false);
+}
+
 void FloatingDocks::putInPlace(const Floating& entry) {
     entry.dock->setGeometry(entry.place(QRect(m_views.mapToGlobal(QPoint()), m_views.size())));
 }
@@ -66,7 +72,7 @@ bool FloatingDocks::eventFilter(QObject* watched, QEvent* event) {
             if (entry == m_docks.end()) break;
             putInPlace(*entry);
             // The Tab key does not move the focus into another window.
-            entry->dock->activateWindow();
+            if (!entry->dock->testAttribute(Qt::WA_ShowWithoutActivating)) entry->dock->activateWindow();
             break;
         case QEvent::Move:
         case QEvent::Resize:

@@ -23,6 +23,8 @@ public:
     [[nodiscard]] bool floating() const { return m_floating; }
     /// True: floats all docks, closed. False: docks them again, open if they were open before.
     void setFloating(bool floating);
+    /// Opens a floating dock without giving it the keyboard.
+    static void showBeside(QDockWidget& dock);
     /// Takes over the state of docks that QMainWindow::restoreState restored; `floating`: they are floating.
     void adopt(bool floating);
 

@@ -96,7 +96,7 @@ bool LectureWindow::watched() const {
     return shown.size() == 2 && m_session.culledBy(shown[0]) == m_session.culledBy(shown[1]);
 }
 
-bool LectureWindow::showsStructure() const { return m_panes.size() == 1 || watched() || stepped(); }
+bool LectureWindow::showsStructure() const { return m_panes.size() == 1 || watched() || stepped() || m_asked; }
 
 LegendStrip::More LectureWindow::moreToExplain() const {
     LegendStrip::More more;

@@ -18,6 +18,8 @@ namespace cullscope::ui {
 
 namespace {
 
+/// So long without a pick the panels do not tell of one any more.
+constexpr int kNothingPicked = 500;  // ms
 /// Keys that mean something else here than in the main window.
 constexpr std::array kOwnKeys{Qt::Key_B, Qt::Key_Period, Qt::Key_R, Qt::Key_P, Qt::Key_Escape};
 
@@ -79,7 +81,20 @@ void LectureWindow::follow() {
         connect(&m_session, signal, this, &LectureWindow::borrow, Qt::QueuedConnection);
     for (const auto signal : {&Session::activeViewChanged, &Session::questionChanged})
         connect(&m_session, signal, this, &LectureWindow::refresh);
-    connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
+    connect(&m_session, &Session::pickedInPicture, m_structure, [this] {
+        m_structure->showWhy();
+        m_asked = true;
+        arrange();
+    });
+    // While the next loss is being looked for there is no pick for a moment.
+    m_nothingPicked.setSingleShot(true);
+    m_nothingPicked.setInterval(kNothingPicked);
+    connect(&m_session, &Session::pickChanged, this,
+            [this] { m_asked && !m_session.pick() ? m_nothingPicked.start() : m_nothingPicked.stop(); });
+    connect(&m_nothingPicked, &QTimer::timeout, this, [this] {
+        m_asked = false;
+        arrange();
+    });
     connect(m_structure, &StructurePanel::needsChanged, this, &LectureWindow::fit, Qt::QueuedConnection);
     connect(&m_structure->map(), &MapPanel::shownChanged, this, &LectureWindow::fit, Qt::QueuedConnection);
 }
@@ -172,7 +187,7 @@ void LectureWindow::setLessons(LessonPlayer* lessons, const Language* language) 
     m_lessons = lessons;
     m_language = language;
     connect(lessons, &LessonPlayer::changed, this, [this] {
-        m_alone = false;
+        m_alone = m_asked = false;
         reveal(false);
     });
     connect(lessons, &LessonPlayer::shown, this, [this](const LessonStep& step) {
@@ -190,14 +205,15 @@ void LectureWindow::step(int way) {
     const std::vector<int> shown = m_session.shownViews();
     const auto place = std::find(shown.begin(), shown.end(), m_session.activeView());
     if (place == shown.end() || shown.size() < 2) return;
-    const auto count = int(shown.size()), at = int(place - shown.begin());
-    // After all views together each one alone, from the one after the active one to the first; then all together again.
-    if (m_alone && at == (way > 0 ? 0 : 1 % count)) return setAlone(false, shown.front());
-    setAlone(true, shown[size_t((at + way + count) % count)]);
+    // After all views together each one alone, in their order; then all together again.
+    if (!m_alone) return setAlone(true, way > 0 ? shown.front() : shown.back());
+    if (*place == (way > 0 ? shown.back() : shown.front())) return setAlone(false, shown.front());
+    setAlone(true, *(place + way));
 }
 
 void LectureWindow::setAlone(bool alone, int view) {
     m_alone = alone;
+    m_asked = false;
     m_session.setActiveView(view);
     reveal(false);
     borrow();

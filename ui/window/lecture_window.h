@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <QWidget>
 #include <array>
 
@@ -104,6 +105,8 @@ private:
     QPushButton *m_back, *m_next;
     PointerSpot* m_spot;
     int m_belowMap = 0;  ///< the height for which there is room below the map
+    QTimer m_nothingPicked;
+    bool m_asked = false;  ///< something was picked: why stands beside the views
     bool m_alone = false;
     bool m_blank = false;
     bool m_revealed = false;

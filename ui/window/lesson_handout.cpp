@@ -2,6 +2,7 @@
 
 #include <QBuffer>
 #include <QFileInfo>
+#include <QPainter>
 #include <QPdfWriter>
 #include <QPixmap>
 #include <QTextDocument>
@@ -25,6 +26,18 @@ QByteArray pngOf(const QImage& image) {
     QBuffer buffer(&bytes);
     if (!buffer.open(QIODevice::WriteOnly) || !image.save(&buffer, "PNG")) bytes.clear();
     return bytes;
+}
+
+/// Both on white, the second one no higher than the first.
+QImage beside(const QImage& views, const QImage& panel) {
+    const QImage second =
+        panel.height() > views.height() ? panel.scaledToHeight(views.height(), Qt::SmoothTransformation) : panel;
+    QImage both(views.width() + second.width(), views.height(), QImage::Format_RGB32);
+    both.fill(Qt::white);
+    QPainter painter(&both);
+    painter.drawImage(0, 0, views);
+    painter.drawImage(views.width(), 0, second);
+    return both;
 }
 
 bool isPdf(const QString& file) { return QFileInfo(file).suffix().compare(QLatin1String("pdf"), Qt::CaseInsensitive) == 0; }
@@ -72,8 +85,13 @@ bool LessonHandout::settled() const {
         if (m_session.slot(m_session.culledBy(view)).building()) return false;
         if (m_session.viewRequest(view) && !m_session.pictures()->isCurrent(view)) return false;
     }
+    if (showsStructure() && !m_reader->fresh() && !m_session.slot(m_session.culledBy(m_reader->view())).refused()) return false;
     const bool uploaded = m_session.buffers() || !m_session.uploadFailure().empty();
     return uploaded && !m_session.pictures()->busy() && m_session.metricsSettled();
+}
+
+bool LessonHandout::showsStructure() const {
+    return m_structure && m_structure->isVisible() && m_session.shownViews().size() <= 2;
 }
 
 LessonHandout::Page LessonHandout::page() const {
@@ -81,7 +99,7 @@ LessonHandout::Page LessonHandout::page() const {
     Page page{QString::fromStdString(textIn(m_lessons.current().sentence, language)),
               QString::fromStdString(textIn(m_lessons.current().notes, language)),
               {},
-              m_views.grab().toImage()};
+              showsStructure() ? beside(m_views.grab().toImage(), m_structure->grab().toImage()) : m_views.grab().toImage()};
     for (const int view : m_session.shownViews()) {
         // A view that watches another one has no figures of its own.
         if (m_session.culledBy(view) != view) continue;

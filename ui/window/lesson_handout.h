@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ui/session/lesson_player.h"
+#include "ui/session/snapshot_reader.h"
 #include "ui/text/language.h"
 #include "ui/views/view_grid.h"
 
@@ -20,6 +21,12 @@ class LessonHandout : public QObject {
 public:
     LessonHandout(Session& session, LessonPlayer& lessons, ViewGrid& views, const Language& language, QObject* parent = nullptr);
 
+    /// The panel beside one view, or beside a view and its observer, whose maps and listings the sentences speak of; and the
+    /// reader that says when it shows the step.
+    void setStructure(QWidget& panel, const SnapshotReader& reader) {
+        m_structure = &panel;
+        m_reader = &reader;
+    }
     /// Throws Error(Usage) unless the file's name ends in .pdf or .html.
     static void requireFormat(const QString& file);
     /// Only while a lesson is on. What fails is reported by `failed`.
@@ -42,6 +49,8 @@ private:
 
     void look();
     [[nodiscard]] bool settled() const;
+    /// Whether the panel is seen, and the step has no more views than two.
+    [[nodiscard]] bool showsStructure() const;
     [[nodiscard]] Page page() const;
     void end();
     /// `embedded`: pictures are part of the text; else it names them.
@@ -52,6 +61,8 @@ private:
     LessonPlayer& m_lessons;
     ViewGrid& m_views;
     const Language& m_language;
+    QWidget* m_structure = nullptr;
+    const SnapshotReader* m_reader = nullptr;
     QString m_file;
     int m_before = 0;  ///< the step that was in hand
     std::vector<Page> m_pages;

@@ -23,8 +23,6 @@ namespace {
 
 constexpr int kNarrowestDock = 320;
 constexpr int kLegendMargin = 9;  // as that of the panels above it
-constexpr int kMenuMargins = 6;
-constexpr int kToolBarMargins = 18;
 constexpr int kScenePage = 1;
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
@@ -70,6 +68,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     m_papers = new PaperCommands(m_session, *m_actions, *m_experiments, m_document->undo(), this);
     connect(m_papers, &PaperCommands::sceneWanted, &m_document->opener(), &SessionOpener::open);
     m_lessons = new LessonCommands(m_session, *m_views, *m_actions, *m_document, m_language, this);
+    m_lessons->handout().setStructure(*m_structure, *m_reader);
     m_lessonBar = new LessonBar(m_lessons->player(), m_language, m_stack->parentWidget());
     m_middle->insertWidget(0, m_lessonBar);
     m_presenter = new PresenterPage(m_lessons->player(), m_language, m_stack);
@@ -256,6 +255,10 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
+    // Among many views the panel is folded; a pick asks for what it says. The keyboard stays with the picture.
+    connect(&m_session, &Session::pickedInPicture, m_dock, [this] {
+        if (m_floatingDocks->floating() && !m_lecture) FloatingDocks::showBeside(*m_dock);
+    });
     connect(m_actions->stepThrough, &QAction::triggered, m_structure,
             [this](bool on) { on ? m_structure->showSteps() : void(); });
     // What the panels show would answer an open question.
@@ -284,13 +287,6 @@ void MainWindow::showState() {
     m_actions->lecture->setEnabled(opened != nullptr);
     const QString scene = opened ? QString::fromStdString(opened->scene->name()) : QString();
     setWindowTitle(scene.isEmpty() ? QStringLiteral("Cullscope") : tr("%1 – Cullscope").arg(scene));
-}
-
-/// The height is the same in all languages, so that a change of language keeps the size of the views.
-void MainWindow::fixBarHeights() {
-    const int letters = lineHeight(fontMetrics());
-    menuBar()->setFixedHeight(letters + kMenuMargins);
-    m_toolBar->setFixedHeight(letters + kToolBarMargins);
 }
 
 void MainWindow::retranslate() {

@@ -2,12 +2,18 @@
 #include "ui/window/main_window.h"
 
 #include <QDockWidget>
+#include <QMenuBar>
+#include <QToolBar>
 #include <QVBoxLayout>
+
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
 namespace {
 
+constexpr int kMenuMargins = 6;
+constexpr int kToolBarMargins = 18;
 constexpr int kWideDockWidth = 480;
 constexpr int kLegendLetters = 13;  // pixels
 constexpr int kWideWindow = 1600;   // from this width on the side panel fits beside the views
@@ -48,6 +54,13 @@ void MainWindow::explainColours() {
     m_colours->setVisible(folded && !m_lecture && m_session.opened() && !m_colours->empty());
 }
 
+/// The height is the same in all languages, so that a change of language keeps the size of the views.
+void MainWindow::fixBarHeights() {
+    const int letters = lineHeight(fontMetrics());
+    menuBar()->setFixedHeight(letters + kMenuMargins);
+    m_toolBar->setFixedHeight(letters + kToolBarMargins);
+}
+
 void MainWindow::arrange() {
     const bool compare = m_session.viewCount() > 2;
     const bool wide = width() >= kWideWindow;
@@ -78,6 +91,8 @@ void MainWindow::beginLecture() {
         m_lecture = nullptr;
         showState();
     });
+    connect(m_actions->stepThrough, &QAction::triggered, structure,
+            [structure](bool on) { on ? structure->showSteps() : void(); });
     m_lecture->setStepper(&m_steps->stepper());
     m_lecture->setLessons(&m_lessons->player(), &m_language);
     m_lecture->begin();

@@ -48,7 +48,11 @@ void PathCommands::refresh() {
 QString PathCommands::askFile(bool save) {
     const QString folder = m_settings.value(QStringLiteral("folder")).toString();
     const QString types = tr("Camera paths") + QStringLiteral(" (*.json)");
-    QString file = save ? QFileDialog::getSaveFileName(m_window, tr("Save the path"), folder, types)
+    // As the path is called, without what a file's name cannot have.
+    QString name = QFileInfo(QString::fromStdString(m_desk->path().name)).completeBaseName();
+    name.replace(QLatin1Char(':'), QLatin1Char('-'));
+    const QString proposed = name.isEmpty() ? folder : folder + QLatin1Char('/') + name + QStringLiteral(".json");
+    QString file = save ? QFileDialog::getSaveFileName(m_window, tr("Save the path"), proposed, types)
                         : QFileDialog::getOpenFileName(m_window, tr("Open a path"), folder, types);
     if (file.isEmpty()) return {};
     if (save && QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");

@@ -140,6 +140,8 @@ QList<QAction*> WindowActions::ofCameraPictures() const {
 QAction* WindowActions::toggle(const QKeySequence& shortcut, const QString& icon) {
     QAction* action = command(shortcut, icon);
     action->setCheckable(true);
+    // In a menu the box that is checked stands in the icon's place.
+    action->setIconVisibleInMenu(false);
     return action;
 }
 
