@@ -363,13 +363,18 @@
         <translation>제출: 삼각형 %2개 중 %1개. 그려지든 아니든 보이는 것: %3</translation>
     </message>
     <message>
-        <source>%1 is %2 times as fast as %3 (%4).</source>
-        <extracomment>A view&apos;s letter, how many times as fast, another view&apos;s letter, the 95 % interval.</extracomment>
-        <translation>%1의 속도는 %3의 %2배입니다(%4).</translation>
-    </message>
-    <message>
         <source>Which one is faster is not decided.</source>
         <translation>어느 쪽이 빠른지는 정해지지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as fast as %3.</source>
+        <extracomment>A view&apos;s letter, how many times as fast, another view&apos;s letter.</extracomment>
+        <translation>%1의 속도는 %3의 %2배입니다.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as fast as %3 (%4).</source>
+        <extracomment>The same with the 95 % interval.</extracomment>
+        <translation>%1의 속도는 %3의 %2배입니다(%4).</translation>
     </message>
 </context>
 <context>

@@ -363,13 +363,18 @@
         <translation>提交：%2 个三角形中的 %1 个。可见的（无论是否绘制）：%3</translation>
     </message>
     <message>
-        <source>%1 is %2 times as fast as %3 (%4).</source>
-        <extracomment>A view&apos;s letter, how many times as fast, another view&apos;s letter, the 95 % interval.</extracomment>
-        <translation>%1 的速度是 %3 的 %2 倍（%4）。</translation>
-    </message>
-    <message>
         <source>Which one is faster is not decided.</source>
         <translation>无法确定哪个更快。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as fast as %3.</source>
+        <extracomment>A view&apos;s letter, how many times as fast, another view&apos;s letter.</extracomment>
+        <translation>%1 的速度是 %3 的 %2 倍。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 times as fast as %3 (%4).</source>
+        <extracomment>The same with the 95 % interval.</extracomment>
+        <translation>%1 的速度是 %3 的 %2 倍（%4）。</translation>
     </message>
 </context>
 <context>

@@ -16,10 +16,11 @@ StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refu
       m_parameters(std::move(parameters)) {}
 
 void StrategySlot::choose(const std::string& id) {
-    if (id == m_id) return;
+    if (id == m_id) return void(m_everChosen = true);
     // findStrategy throws for an unknown id, before any member changes.
     m_parameters = ParameterSet(findStrategy(id).info.parameters);
     m_id = id;
+    m_everChosen = true;
     emit chosen();
     build();
 }

@@ -34,6 +34,8 @@ public:
     /// Chooses a strategy with default parameters. Throws what findStrategy throws, and then changes nothing.
     void choose(const std::string& id);
     void setParameters(const ParameterSet& parameters);
+    /// Whether a strategy was chosen since the slot was made.
+    [[nodiscard]] bool everChosen() const { return m_everChosen; }
     /// Builds the strategy for `scene`; null: no scene is open.
     void setScene(const ScenePointer& scene);
     /// Whether what is chosen is built at all; it is by default. A slot of a view that is not shown builds once it is wanted.
@@ -60,6 +62,7 @@ private:
     ScenePointer m_scene;
     BuiltStrategyPointer m_built;
     Background m_background;
+    bool m_everChosen = false;
     bool m_again = false;
     bool m_refused = false;
     bool m_wanted = true;

@@ -30,9 +30,9 @@ void drawHatched(QPainter& painter, const QRectF& place, const QColor& colour, c
     painter.setPen(Qt::NoPen);
     painter.fillRect(place, colour);
     painter.setClipRect(place);
-    painter.setPen(QPen(between, 1.5));
-    for (double x = place.left() - place.height() + 2.5; x < place.right(); x += 5.0)
-        painter.drawLine(QPointF(x, place.bottom()), QPointF(x + place.height(), place.top()));
+    painter.setPen(QPen(between, 1.2));
+    for (double x = place.left() - place.height() + 3.0; x < place.right(); x += 6.0)
+        painter.drawLine(QPointF(x, place.top()), QPointF(x + place.height(), place.bottom()));
 }
 
 }  // namespace

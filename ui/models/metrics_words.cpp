@@ -80,10 +80,13 @@ QString fastestSentence(const std::vector<NamedMetrics>& views) {
     if (next == timed.end()) return {};
     const ViewTimes times{next->figures->frameTimes, fastest.figures->frameTimes};
     const RatioEstimate ratio = ratioOfTotals({&times, 1});
-    //: A view's letter, how many times as fast, another view's letter, the 95 % interval.
-    const QString sentence = QCoreApplication::translate("Wording", "%1 is %2 times as fast as %3 (%4).")
-                                 .arg(fastest.name, ratioText(ratio.ratio), next->name, intervalText(ratio));
-    if (ratio.hasInterval && ratio.ci95[0] > 1.0) return sentence;
+    const auto words = [&](const QString& sentence) { return sentence.arg(fastest.name, ratioText(ratio.ratio), next->name); };
+    //: A view's letter, how many times as fast, another view's letter.
+    if (!ratio.hasInterval) return words(QCoreApplication::translate("Wording", "%1 is %2 times as fast as %3."));
+    //: The same with the 95 % interval.
+    const QString sentence =
+        words(QCoreApplication::translate("Wording", "%1 is %2 times as fast as %3 (%4).")).arg(intervalText(ratio));
+    if (ratio.ci95[0] > 1.0) return sentence;
     return sentence + QLatin1Char(' ') + QCoreApplication::translate("Wording", "Which one is faster is not decided.");
 }
 

@@ -125,7 +125,6 @@ void Session::makeView(int view) {
     state.slot = std::make_unique<StrategySlot>(
         info.id, ParameterSet(info.parameters), [this](const StrategyInfo& chosen) { return unavailable(chosen); }, m_structures);
     connect(state.slot.get(), &StrategySlot::chosen, this, [this, view] {
-        m_views[size_t(view)].strategyChosen = true;
         // A frame of the former strategy may take minutes.
         m_frames->interrupt(view);
         if (std::ranges::find(m_underWay, view, &ViewMeter::Subject::view) != m_underWay.end()) cancelFigures();
@@ -270,13 +269,12 @@ void Session::setViewCount(int count) {
 }
 
 void Session::offerStrategy(int view) {
-    if (m_views[size_t(view)].strategyChosen) return;
-    std::set<std::string> shownElsewhere;
+    if (slot(view).everChosen()) return;
+    std::set<std::string> taken;
     for (const int other : shownViews())
-        if (other != view) shownElsewhere.insert(slot(other).id());
-    if (!shownElsewhere.contains(slot(view).id())) return;
+        if (other < view || slot(other).everChosen()) taken.insert(slot(culledBy(other)).id());
     for (const RegisteredStrategy& strategy : strategies())
-        if (!shownElsewhere.contains(strategy.info.id) && !unavailable(strategy.info)) return slot(view).choose(strategy.info.id);
+        if (!taken.contains(strategy.info.id) && !unavailable(strategy.info)) return slot(view).choose(strategy.info.id);
 }
 
 void Session::setActiveView(int view) {

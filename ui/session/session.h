@@ -93,8 +93,11 @@ public:
 
     // Views
     [[nodiscard]] int viewCount() const { return m_viewCount; }
-    /// `count` is one of kViewCounts.
+    /// `count` is one of kViewCounts. Views that come into sight are offered strategies.
     void setViewCount(int count);
+    /// Gives a view whose strategy was never chosen the first one of the registry that no other shown view has and that this
+    /// machine can use: eight views compare eight strategies.
+    void offerStrategy(int view);
     /// Whether a view is shown. With a view count of 1 the active view is.
     [[nodiscard]] bool shown(int view) const { return m_viewCount == 1 ? view == m_activeView : view < m_viewCount; }
     [[nodiscard]] std::vector<int> shownViews() const;
@@ -256,7 +259,6 @@ private:
         uint32_t turn = 0;              ///< FrameRequest::turn
         uint32_t turns = 0;             ///< made since the view stands where it does
         std::optional<Stand> standsAt;  ///< where the view was when it came to rest
-        bool strategyChosen = false;    ///< else one of its own is, when it comes into sight
         bool complained = false;        ///< a drawing error was reported and no picture was drawn since
     };
 
@@ -265,8 +267,6 @@ private:
     void wantStrategies();
     [[nodiscard]] std::optional<ViewRequest> pictureWish(int view) const;
     void makeView(int view);
-    /// Gives a view whose strategy was not chosen one that no other shown view has, as far as there are as many.
-    void offerStrategy(int view);
     void tellRepairs();
     void nameInQuestion(uint64_t triangle, const Vec3& point);
     void pickIn(int view, const ViewRequest& request, int x, int y);

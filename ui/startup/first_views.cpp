@@ -8,18 +8,6 @@ namespace cullscope::ui {
 
 namespace {
 
-/// The views from `first` on get strategies that no view before them has, in the order of the registry, so that eight views
-/// compare eight strategies as long as there are that many that this machine can use.
-void chooseForOthers(Session& session, int first) {
-    std::vector<std::string> taken;
-    for (int view = 0; view < first; ++view) taken.push_back(session.slot(session.culledBy(view)).id());
-    int view = first;
-    for (const RegisteredStrategy& strategy : strategies()) {
-        const bool usable = !session.unavailable(strategy.info) && std::ranges::find(taken, strategy.info.id) == taken.end();
-        if (view < Session::kMostViews && usable) session.slot(view++).choose(strategy.info.id);
-    }
-}
-
 /// The second view watches the first one as long as there are two. More views are there to be compared: then it has a strategy of
 /// its own, and watches again when there are two. That ends when the view is changed otherwise.
 class FirstObserver : public QObject {
@@ -69,7 +57,7 @@ void showFirstViews(Session& session, const std::vector<StrategyRequest>& chosen
     session.setActiveView(0);
     if (chosen.empty()) {
         session.slot(0).choose(baselines().back()->id);
-        chooseForOthers(session, 1);
+        session.offerStrategy(1);
         new FirstObserver(session);
         return;
     }
@@ -77,7 +65,6 @@ void showFirstViews(Session& session, const std::vector<StrategyRequest>& chosen
         session.slot(int(i)).choose(chosen[i].id);
         session.slot(int(i)).setParameters(chosen[i].parameters);
     }
-    chooseForOthers(session, int(chosen.size()));
     for (const int count : Session::kViewCounts)
         if (size_t(count) >= chosen.size()) return session.setViewCount(count);
 }

@@ -39,7 +39,7 @@ QRect timesOf(const QTableView& table) {
 }
 
 bool saysTimes(const QLabel& label, const QString& renderer) {
-    static const QRegularExpression time(QStringLiteral("×\\s*[0-9.,]+($|[^0-9.,x× ])|[0-9] ms"));
+    static const QRegularExpression time(QStringLiteral("×\\s*[0-9.,]+($|[^0-9.,x× ])|[0-9] ms|is [0-9.]+ times as fast"));
     return label.text().contains(time) || (!renderer.isEmpty() && label.text() == renderer);
 }
 
