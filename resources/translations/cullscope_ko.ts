@@ -346,7 +346,7 @@
     </message>
     <message>
         <source>%1 against %2, which draws the same sides, with its 95 % interval</source>
-        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.93 – 3.31)&quot;.</extracomment>
         <translation>같은 면을 그리는 %2에 대해 %1, 95 % 구간 포함</translation>
     </message>
     <message>

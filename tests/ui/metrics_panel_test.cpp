@@ -132,10 +132,10 @@ TEST_F(FastestOfViews, theFastestIsComparedWithTheNextOne) {
     add("all", {8.0, 8.2, 7.8});
     EXPECT_TRUE(said().isEmpty()) << "nothing to compare with";
     add("frustum", {2.0, 2.1, 1.9});
-    EXPECT_TRUE(said().startsWith(QStringLiteral("B is 4.0 times as fast as A ("))) << said().toStdString();
+    EXPECT_TRUE(said().startsWith(QStringLiteral("B is 4.00 times as fast as A ("))) << said().toStdString();
     EXPECT_FALSE(said().contains(QStringLiteral("not decided"))) << said().toStdString();
     add("backface", {4.0, 4.2, 3.8});
-    EXPECT_TRUE(said().startsWith(QStringLiteral("B is 2.0 times as fast as C ("))) << said().toStdString();
+    EXPECT_TRUE(said().startsWith(QStringLiteral("B is 2.00 times as fast as C ("))) << said().toStdString();
 }
 
 TEST_F(FastestOfViews, timesThatCrossAreNotDecided) {

@@ -126,6 +126,7 @@ TEST(Program, viewsBesideTheChosenOnesHaveOtherStrategies) {
          {std::vector<std::string>{"spherical", "bsp"}, {"all"}, {"octree-query", "all", "frustum"}}) {
         Session session{sessionOptions(false)};
         showFirstViews(session, strategiesFromText(chosen));
+        session.setViewCount(Session::kMostViews);
         std::set<std::string> ids;
         for (int view = 0; view < Session::kMostViews; ++view) ids.insert(session.slot(view).id());
         EXPECT_EQ(ids.size(), size_t(Session::kMostViews)) << "eight views compare eight strategies";

@@ -49,7 +49,7 @@ TEST(ResultTable, timesOfAViewAreTheSameFactorInHeaderTooltipAndTable) {
     EXPECT_EQ(runFigures(result)[1].speedup, *ofView.speedup) << "the plots";
     EXPECT_TRUE(metricsLine(live.figures).startsWith(QStringLiteral("×3.0 ·"))) << metricsLine(live.figures).toStdString();
     EXPECT_TRUE(metricsDetails(live.figures, {}).contains(speedWithInterval(*ofView.speedup)));
-    EXPECT_EQ(speedWithInterval({3.14, {2.9, 3.3}}), QStringLiteral("×3.1 (2.9 – 3.3)"));
+    EXPECT_EQ(speedWithInterval({3.14, {2.9, 3.3}}), QStringLiteral("×3.1 (2.90 – 3.30)"));
 }
 
 TEST(ResultTable, rowsSayWhatWasMeasured) {

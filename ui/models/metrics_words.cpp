@@ -45,7 +45,7 @@ QString speedSentence(const ViewFigures& figures) {
     const auto add = [&](const std::optional<RatioEstimate>& speed, const QString& against) {
         if (speed) lines << against.arg(speedWithInterval(*speed));
     };
-    //: Speed against a baseline, %2, and its 95 % interval: "×3.1 (2.9 – 3.3)".
+    //: Speed against a baseline, %2, and its 95 % interval: "×3.1 (2.93 – 3.31)".
     add(figures.speedup,
         QCoreApplication::translate("Wording", "%1 against %2, which draws the same sides, with its 95 % interval")
             .arg(QStringLiteral("%1"), QString::fromStdString(figures.baseline)));
@@ -80,7 +80,9 @@ QString fastestSentence(const std::vector<NamedMetrics>& views) {
     if (next == timed.end()) return {};
     const ViewTimes times{next->figures->frameTimes, fastest.figures->frameTimes};
     const RatioEstimate ratio = ratioOfTotals({&times, 1});
-    const auto words = [&](const QString& sentence) { return sentence.arg(fastest.name, ratioText(ratio.ratio), next->name); };
+    const auto words = [&](const QString& sentence) {
+        return sentence.arg(fastest.name, QLocale().toString(ratio.ratio, 'f', 2), next->name);
+    };
     //: A view's letter, how many times as fast, another view's letter.
     if (!ratio.hasInterval) return words(QCoreApplication::translate("Wording", "%1 is %2 times as fast as %3."));
     //: The same with the 95 % interval.

@@ -272,7 +272,7 @@ void Session::offerStrategy(int view) {
     if (slot(view).everChosen()) return;
     std::set<std::string> taken;
     for (const int other : shownViews())
-        if (other < view || slot(other).everChosen()) taken.insert(slot(culledBy(other)).id());
+        if (other < view || slot(other).everChosen()) taken.insert({slot(other).id(), slot(culledBy(other)).id()});
     for (const RegisteredStrategy& strategy : strategies())
         if (!taken.contains(strategy.info.id) && !unavailable(strategy.info)) return slot(view).choose(strategy.info.id);
 }

@@ -62,7 +62,9 @@ QString ratioText(double ratio) {
 QString speedText(const RatioEstimate& speed) { return QStringLiteral("×") + ratioText(speed.ratio); }
 
 QString intervalText(const RatioEstimate& speed) {
-    return QStringLiteral("%1 – %2").arg(ratioText(speed.ci95[0]), ratioText(speed.ci95[1]));
+    // Finer than the ratio: an interval whose ends read alike says nothing of the scatter.
+    const auto finer = [](double ratio) { return QLocale().toString(ratio, 'f', 2); };
+    return QStringLiteral("%1 – %2").arg(finer(speed.ci95[0]), finer(speed.ci95[1]));
 }
 
 QString speedWithInterval(const RatioEstimate& speed) {

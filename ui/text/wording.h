@@ -25,10 +25,10 @@ namespace cullscope::ui {
 
 /// A ratio with two significant digits: "0.97", "3.1", "15".
 [[nodiscard]] QString ratioText(double ratio);
-/// "×3.1", and with its 95 % interval "×3.1 (2.9 – 3.3)".
+/// "×3.1", and with its 95 % interval "×3.1 (2.93 – 3.31)".
 [[nodiscard]] QString speedText(const RatioEstimate& speed);
 [[nodiscard]] QString speedWithInterval(const RatioEstimate& speed);
-/// "2.9 – 3.3".
+/// "2.93 – 3.31".
 [[nodiscard]] QString intervalText(const RatioEstimate& speed);
 /// A fraction in per cent: "15", below 10 with one digit: "1.5". Never "0" for a fraction above 0, never "100" for one below 1.
 [[nodiscard]] QString percentText(double share);

@@ -1,5 +1,6 @@
 #include "ui/window/path_commands.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 
@@ -46,7 +47,7 @@ void PathCommands::refresh() {
 }
 
 QString PathCommands::askFile(bool save) {
-    const QString folder = m_settings.value(QStringLiteral("folder")).toString();
+    const QString folder = m_settings.value(QStringLiteral("folder"), QDir::homePath()).toString();
     const QString types = tr("Camera paths") + QStringLiteral(" (*.json)");
     // As the path is called, without what a file's name cannot have.
     QString name = QFileInfo(QString::fromStdString(m_desk->path().name)).completeBaseName();
