@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cassert>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/gpu/drawing.h"
@@ -23,9 +24,10 @@ inline bool isWhole(std::span<const DrawRange> run, const DrawList& list, const 
            run.front().indexCount == scene.meshes()[mesh]->indices().size() && !list.standIn(mesh, run.front());
 }
 
-/// Goes through a list: binds each instance and calls `perInstance(run)` for each run of ranges of one instance. `numbered`:
-/// triangles are identified by their place, so their order must be kept. Throws Error(Interrupted) before an instance where a
-/// stop is requested.
+/// Goes through a list: binds each instance and calls `perInstance(run)` for each run of ranges of one instance. Where the sides
+/// that are drawn differ from object to object, those of which fronts alone are drawn come first: OpenGL begins anew at each
+/// change. `numbered`: triangles are identified by their place, so their order must be kept. Throws Error(Interrupted) before an
+/// instance where a stop is requested.
 template <typename PerInstance>
 void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& by, bool numbered,
             const PerInstance& perInstance) {
@@ -33,20 +35,27 @@ void submit(const SceneBuffers& buffers, const View& view, const DrawList& list,
     VertexInput input(buffers, by.vertexArray, list.order, list.facing);
     std::vector<GLsizei> counts;
     std::vector<const void*> addresses;
-    for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {
-        if (by.stop.stop_requested()) throwInterrupted();
-        const uint32_t number = list.ranges[begin].instance;
-        while (end < list.ranges.size() && list.ranges[end].instance == number) ++end;
-        const std::span<const DrawRange> ranges = std::span(list.ranges).subspan(begin, end - begin);
-        input.bind(view, number, !numbered && isWhole(ranges, list, buffers.scene()) ? Indices::Whole : Indices::InOrder);
-        counts.clear();
-        addresses.clear();
-        for (const DrawRange& range : ranges) {
-            counts.push_back(static_cast<GLsizei>(range.indexCount));
-            addresses.push_back(input.indexAddress(range.firstIndex));
+    const bool apart = list.facing == Facing::ByObject && list.depth == DepthRule::Nearest;
+    const auto draw = [&](const std::optional<Facing>& only) {
+        for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {
+            if (by.stop.stop_requested()) throwInterrupted();
+            const uint32_t number = list.ranges[begin].instance;
+            while (end < list.ranges.size() && list.ranges[end].instance == number) ++end;
+            if (only && facingOf(buffers.scene(), number, list.facing) != *only) continue;
+            const std::span<const DrawRange> ranges = std::span(list.ranges).subspan(begin, end - begin);
+            input.bind(view, number, !numbered && isWhole(ranges, list, buffers.scene()) ? Indices::Whole : Indices::InOrder);
+            counts.clear();
+            addresses.clear();
+            for (const DrawRange& range : ranges) {
+                counts.push_back(static_cast<GLsizei>(range.indexCount));
+                addresses.push_back(input.indexAddress(range.firstIndex));
+            }
+            perInstance(SubmittedRun{ranges, counts, addresses, input.indexType(), input.indexBuffer()});
         }
-        perInstance(SubmittedRun{ranges, counts, addresses, input.indexType(), input.indexBuffer()});
-    }
+    };
+    if (!apart) return draw(std::nullopt);
+    draw(Facing::Front);
+    draw(Facing::TwoSided);
 }
 
 /// Copies the indices of a run's ranges one after the other into a buffer of this draw alone, and draws them by one call: the

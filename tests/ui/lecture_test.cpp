@@ -89,9 +89,13 @@ TEST_F(Lecture, signsOverPicturesGrowWithTheScreen) {
     QApplication::processEvents();
     EXPECT_DOUBLE_EQ(picture(0).extras().unit, 1.5);
     EXPECT_GT(redOf(), small * 3 / 2);
+    // Letters in the picture, 18 units high, are as high as capitals of 20 pixels times the screen's scale.
+    for (const int view : {0, 1})
+        EXPECT_GE(18.0 * session.viewRequest(view)->style.unit * picture(view).pictureLayout().scale(), 1.5 * 14.5) << view;
     lecture.close();
     ASSERT_TRUE(waitUntil([&] { return !window.lecture(); }));
     EXPECT_DOUBLE_EQ(picture(0).extras().unit, 1.0);
+    for (const int view : {0, 1}) EXPECT_EQ(session.viewRequest(view)->style.unit, 1.0F) << view;
 }
 
 TEST_F(Lecture, legendNamesTheColourOfWhatAStepHasInHand) {

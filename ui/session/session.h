@@ -130,6 +130,8 @@ public:
     /// would have more than kMostPixelsAskedFor together (view_sizes.h).
     void setPictureSize(const std::vector<int>& views, const std::optional<Viewport>& size);
     [[nodiscard]] Viewport renderSize(int view) const { return setup(view).size.value_or(viewport(view)); }
+    /// Pixels of a view's picture for one unit of line widths and signs: more where the picture is shown small, as in a lecture.
+    void setPictureUnit(int view, double unit);
     [[nodiscard]] const DrawStyle& drawStyle() const { return m_style; }
     void setDrawStyle(const DrawStyle& style);
     /// The plane that cuts the pictures of all views; none: they show all that is drawn. Another scene has none at first.
@@ -254,6 +256,7 @@ private:
         std::unique_ptr<StrategySlot> slot;
         ViewSetup setup;
         Viewport viewport{0, 0};
+        double unit = 1.0;  ///< setPictureUnit
         Camera firstWatch;  ///< Observer: the viewing camera that observe() set
         ViewMetrics figures;
         uint32_t turn = 0;              ///< FrameRequest::turn

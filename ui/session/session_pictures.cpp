@@ -11,6 +11,11 @@ void Session::setViewport(int view, const Viewport& size) {
     update();
 }
 
+void Session::setPictureUnit(int view, double unit) {
+    if (unit == std::exchange(m_views[size_t(view)].unit, unit)) return;
+    update();
+}
+
 void Session::setDrawStyle(const DrawStyle& style) {
     if (style == m_style) return;
     m_style = style;
@@ -41,6 +46,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.size = size;
     request.look = setup(view).look;
     request.style = m_style;
+    request.style.unit = float(m_views[size_t(view)].unit);
     request.section = m_section;
     const ViewMetrics& known = figures(view);
     if (request.look.has(Show::Kind::Verdicts) && known.states && known.subject == *subject) request.states = known.states;

@@ -16,6 +16,8 @@ constexpr int kChipInset = 8;
 constexpr double kPictureOverStrip = 0.55;  // its share of the height that a strip leaves
 constexpr double kUsualPace = 1.0;
 constexpr double kLettersOfLecture = 20.0;  // pixels, at 1280 × 720
+constexpr double kSignsOfLetters = 0.81;    // pixels of the window for a unit: a letter in the picture, 18 high, is a capital
+constexpr double kUnitSteps = 4.0;          // the unit of signs changes by quarters
 
 }  // namespace
 
@@ -241,6 +243,9 @@ void ViewPane::arrange() {
     if (m_strip)
         m_strip->setGeometry(0, top + picture.height() + bar, width(), std::max(1, height() - top - picture.height() - bar));
     refreshChip();
+    // Signs in the picture are as high as the capitals of a lecture's letters, however small the picture is shown.
+    const double least = kSignsOfLetters * m_letters / kLettersOfLecture / m_picture->pictureLayout().scale();
+    m_session.setPictureUnit(m_view, m_lent == Lent::No ? 1.0 : std::max(1.0, std::ceil(kUnitSteps * least) / kUnitSteps));
 }
 
 void ViewPane::resizeEvent(QResizeEvent*) { arrange(); }
