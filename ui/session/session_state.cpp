@@ -37,20 +37,7 @@ void applySetups(Session& session, const SessionState& state) {
         }
 }
 
-/// Whether a view's picture depends on another view.
-bool leansOn(const SessionState::View& view, int other) {
-    const bool beside = view.setup.wipe.mode == Wipe::Mode::OtherView || view.setup.wipe.mode == Wipe::Mode::Difference;
-    return (view.setup.role == Role::Observer && view.setup.observed == other) || (beside && view.setup.wipe.other == other);
-}
-
 }  // namespace
-
-bool isSeen(const SessionState& state, int view) {
-    const auto shown = [&](int each) { return state.viewCount == 1 ? each == state.activeView : each < state.viewCount; };
-    for (int each = 0; each < Session::kMostViews; ++each)
-        if (shown(each) && (each == view || leansOn(state.views[size_t(each)], view))) return true;
-    return false;
-}
 
 SessionState captureState(const Session& session) {
     SessionState state;

@@ -48,8 +48,19 @@ struct SessionState {
     bool operator==(const SessionState&) const = default;
 };
 
+/// Whether a view's picture depends on another view.
+[[nodiscard]] inline bool leansOn(const SessionState::View& view, int other) {
+    const bool beside = view.setup.wipe.mode == Wipe::Mode::OtherView || view.setup.wipe.mode == Wipe::Mode::Difference;
+    return (view.setup.role == Role::Observer && view.setup.observed == other) || (beside && view.setup.wipe.other == other);
+}
+
 /// Whether a view is shown, or one that is shown depends on its strategy.
-[[nodiscard]] bool isSeen(const SessionState& state, int view);
+[[nodiscard]] inline bool isSeen(const SessionState& state, int view) {
+    const auto shown = [&](int each) { return state.viewCount == 1 ? each == state.activeView : each < state.viewCount; };
+    for (int each = 0; each < Session::kMostViews; ++each)
+        if (shown(each) && (each == view || leansOn(state.views[size_t(each)], view))) return true;
+    return false;
+}
 
 /// Captures all of the state but arrangement, `structurePanel` and bookmarks, which the session does not hold, and the style,
 /// which depends on the window's appearance. `scene` is empty if none is open.
