@@ -190,13 +190,14 @@ void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& ov
 }
 
 std::vector<TriangleState> coarseStates(const Scene& scene, const Scene& coarse, const FrameLog& log) {
-    const TriangleStates states = triangleStates(scene, log, std::nullopt);
+    // An object that is drawn counts as a whole, so that facing need not be asked of each of its triangles.
+    const std::vector<TriangleState> unsubmitted = statesOfUnsubmitted(scene, log);
     std::vector<bool> drawn(scene.instances().size(), false);
     for (const DrawRange& range : drawnTriangles(scene, log).ranges) drawn[range.instance] = true;
     std::vector<TriangleState> byObject(coarse.triangleCount());
     for (size_t i = 0; i < drawn.size(); ++i) {
         if (coarse.firstTriangle(i) == coarse.firstTriangle(i + 1)) continue;
-        const TriangleState state = drawn[i] ? TriangleState::Visible : states.states[scene.firstTriangle(i)];
+        const TriangleState state = drawn[i] ? TriangleState::Visible : unsubmitted[scene.firstTriangle(i)];
         std::fill(byObject.begin() + std::ptrdiff_t(coarse.firstTriangle(i)),
                   byObject.begin() + std::ptrdiff_t(coarse.firstTriangle(i + 1)), state);
     }

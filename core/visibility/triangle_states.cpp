@@ -133,11 +133,13 @@ struct Submitted {
 
 }  // namespace
 
+std::vector<TriangleState> statesOfUnsubmitted(const Scene& scene, const FrameLog& log) { return NamedStates(scene, log).take(); }
+
 TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std::optional<VisibleTriangles>& truth) {
     const DrawList list = drawnTriangles(scene, log);
     TriangleStates result;
     result.againstTruth = truth.has_value();
-    result.states = NamedStates(scene, log).take();
+    result.states = statesOfUnsubmitted(scene, log);
     if (truth.has_value())
         for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
     for (const DrawRange& range : list.ranges) {
@@ -160,7 +162,7 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
     }
     if (truth.has_value() && !log.whole) {
         // What is not decided yet is not lost.
-        const std::vector<TriangleState> named = NamedStates(scene, log).take();
+        const std::vector<TriangleState> named = statesOfUnsubmitted(scene, log);
         for (const uint32_t triangle : truth->triangles)
             if (result.states[triangle] == TriangleState::WronglyCulled && named[triangle] == TriangleState::Undecided)
                 result.states[triangle] = TriangleState::Undecided;

@@ -42,9 +42,11 @@ struct TriangleStates {
 /// was decided.
 [[nodiscard]] TriangleStates triangleStates(const Scene& scene, const FrameLog& log,
                                             const std::optional<VisibleTriangles>& truth);
-/// The same where it is known which triangles lost a pixel (`lost`: ascending; none: not known, as above). Only those are
-/// WronglyCulled. Any other one in V that was not drawn has the state that it would have without the truth: the raster's snapping
-/// explains its pixels.
+/// The states of all triangles as if the frame had submitted none: by the causes that its decisions name.
+[[nodiscard]] std::vector<TriangleState> statesOfUnsubmitted(const Scene& scene, const FrameLog& log);
+/// As triangleStates, where it is known which triangles lost a pixel (`lost`: ascending; none: not known, as above). Only those
+/// are WronglyCulled. Any other one in V that was not drawn has the state that it would have without the truth: the raster's
+/// snapping explains its pixels.
 [[nodiscard]] TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const VisibleTriangles& truth,
                                             const std::optional<std::vector<uint32_t>>& lost);
 
