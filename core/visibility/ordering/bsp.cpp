@@ -2,10 +2,10 @@
 #include <map>
 
 #include "core/spatial/bsp_cells.h"
+#include "core/visibility/displaced_surfaces.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/ordering/bsp_walk.h"
-#include "core/visibility/ordering/displaced_surfaces.h"
 #include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/overlay.h"
@@ -108,7 +108,7 @@ public:
 
     [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
                                     const View& view) const override {
-        return surfacesStandStill(structure.scene(), view) ? promise(structure, parameters, facing) : Promise::Approximate;
+        return promiseWhereSurfacesStandStill(promise(structure, parameters, facing), structure.scene(), view);
     }
 
 protected:

@@ -1,8 +1,8 @@
 #include "core/base/work_check.h"
 #include "core/spatial/painters_order.h"
+#include "core/visibility/displaced_surfaces.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
-#include "core/visibility/ordering/displaced_surfaces.h"
 #include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/ordering/painter_words.h"
@@ -209,7 +209,7 @@ public:
 
     [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
                                     const View& view) const override {
-        return surfacesStandStill(structure.scene(), view) ? promise(structure, parameters, facing) : Promise::Approximate;
+        return promiseWhereSurfacesStandStill(promise(structure, parameters, facing), structure.scene(), view);
     }
 
 protected:

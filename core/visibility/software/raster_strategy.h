@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/raster/depth_buffer.h"
+#include "core/visibility/displaced_surfaces.h"
 #include "core/visibility/registry.h"
 #include "core/visibility/subject_place.h"
 
@@ -43,6 +44,11 @@ private:
 /// A strategy that makes its picture on the processor from all triangles of the scene.
 class RasterStrategy : public StrategyWith<NoStructure> {
 public:
+    /// Mesa's software OpenGL rounds in the same order; a graphics card's does not.
+    [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
+                                    const View& view) const override {
+        return promiseWhereSurfacesStandStill(promise(structure, parameters, facing), structure.scene(), view);
+    }
     void addWhySteps(const Structure& structure, const FrameLog& log, uint32_t instance, uint32_t triangle,
                      std::vector<WhyStep>& steps) const override;
 

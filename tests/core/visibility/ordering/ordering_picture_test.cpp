@@ -177,39 +177,6 @@ TEST(OrderingPicture, manyPolygonsInOnePlaneLoseNothingAtAnySize) {
     EXPECT_GT(differing, 100u) << "OpenGL's depths of one plane differ by more than none";
 }
 
-/// The promise of a method by order for a ball of radius 1 at `centre`, whose surface lies `gap` before the eye.
-Promise promiseBefore(const char* id, double gap, double fieldOfView, const Vec3& centre = Vec3(0.0)) {
-    const ScenePointer scene = sceneOf({sphereMesh(2000)}, {translation(centre)});
-    const CullerPointer method = strategy(id, {});
-    method->build(*scene);
-    const Camera camera{centre + Vec3(1.0 + gap, 0.0, 0.0), centre, {0, 1, 0}, Angle::fromDegrees(fieldOfView), 0.5 * gap, 100};
-    return method->promiseAt(View(camera, kSize));
-}
-
-TEST(OrderingPicture, isPromisedWhereFloatsMoveNoSurfaceByAPixel) {
-    for (const char* id : {"painter", "bsp"}) {
-        EXPECT_EQ(promiseBefore(id, 2.0, 45.0), Promise::Conservative) << id;
-        EXPECT_EQ(promiseBefore(id, 0.05, 70.0), Promise::Conservative) << id << " close by";
-        EXPECT_EQ(promiseBefore(id, 2.0, 45.0, Vec3(1e7)), Promise::Conservative) << id << " far from the origin";
-        EXPECT_EQ(promiseBefore(id, 1e-5, 70.0), Promise::Approximate) << id << " just before the surface";
-        EXPECT_EQ(promiseBefore(id, 2.0, 0.01), Promise::Approximate) << id << " through a telescope";
-    }
-}
-
-TEST(OrderingPicture, isPromisedWhereALargeWallPassesTheEyeOutOfView) {
-    // A wall that reaches from far behind the eye to far ahead, 0.001 beside it, comes into view 10 ahead.
-    std::vector<Vec3f> corners{{0.001F, -5, 20}, {0.001F, 5, 20}, {0.001F, 0, -60}};
-    const ScenePointer scene = sceneOf({soupMesh(corners)});
-    const CullerPointer method = strategy("bsp", {});
-    method->build(*scene);
-    const auto promise = [&](const Vec3& target) {
-        const Camera camera{{0, 0, 0}, target, {0, 1, 0}, Angle::fromDegrees(5), 1e-4, 100};
-        return method->promiseAt(View(camera, kSize));
-    };
-    EXPECT_EQ(promise({-1, 0, -0.1}), Promise::Conservative) << "looking away from it";
-    EXPECT_EQ(promise({1, 0, 0}), Promise::Approximate) << "looking at it from a thousandth of a unit";
-}
-
 TEST(OrderingPicture, wrongOrderOfSteepParallelPlanesIsFound) {
     // Two floors seen at a flat angle, one below the other by a ten-thousandth of the eye's height: in depth that is less than
     // the slope of either over 1/128 pixel.

@@ -1,11 +1,11 @@
-#include "core/visibility/ordering/displaced_surfaces.h"
+#include "core/visibility/displaced_surfaces.h"
 
 #include <algorithm>
 
 #include "core/geometry/clip_polygon.h"
 #include "core/visibility/eye_bounds.h"
 
-namespace cullscope::ordering {
+namespace cullscope {
 namespace {
 
 /// Whether a view shows a part of a triangle of the instance that is less than `least` ahead of the eye. Planes of the frustum
@@ -49,4 +49,8 @@ bool surfacesStandStill(const Scene& scene, const View& view) {
     return true;
 }
 
-}  // namespace cullscope::ordering
+Promise promiseWhereSurfacesStandStill(Promise promise, const Scene& scene, const View& view) {
+    return surfacesStandStill(scene, view) ? promise : Promise::Approximate;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,49 @@
+// Where a picture that a strategy computes on the processor is promised: OpenGL's floats must move no surface in view.
+
+#include "core/mesh/parametric.h"
+#include "tests/support/culler.h"
+#include "tests/support/cut_scenes.h"
+#include "tests/support/spherical_scenes.h"
+
+namespace cullscope::test::displaced_surfaces_test {
+namespace {
+
+constexpr Viewport kSize{160, 120};
+
+/// The promise of a strategy for a ball of radius 1 at `centre`, whose surface lies `gap` before the eye.
+Promise promiseBefore(const char* id, double gap, double fieldOfView, const Vec3& centre = Vec3(0.0)) {
+    const ScenePointer scene = sceneOf({sphereMesh(2000)}, {translation(centre)});
+    const CullerPointer culler = makeCuller(id);
+    culler->build(*scene);
+    const Camera camera{centre + Vec3(1.0 + gap, 0.0, 0.0), centre, {0, 1, 0}, Angle::fromDegrees(fieldOfView), 0.5 * gap, 100};
+    return culler->promiseAt(View(camera, kSize));
+}
+
+TEST(DisplacedSurfaces, picturesArePromisedWhereFloatsMoveNoSurfaceByAPixel) {
+    using enum Promise;
+    for (const auto& [id, promise] :
+         {std::pair{"painter", Conservative}, {"bsp", Conservative}, {"depth-buffer", Exact}, {"scan-line", Exact}}) {
+        EXPECT_EQ(promiseBefore(id, 2.0, 45.0), promise) << id;
+        EXPECT_EQ(promiseBefore(id, 0.05, 70.0), promise) << id << " close by";
+        EXPECT_EQ(promiseBefore(id, 2.0, 45.0, Vec3(1e7)), promise) << id << " far from the origin";
+        EXPECT_EQ(promiseBefore(id, 1e-5, 70.0), Approximate) << id << " just before the surface";
+        EXPECT_EQ(promiseBefore(id, 2.0, 0.01), Approximate) << id << " through a telescope";
+    }
+}
+
+TEST(DisplacedSurfaces, picturesArePromisedWhereALargeWallPassesTheEyeOutOfView) {
+    // A wall that reaches from far behind the eye to far ahead, 0.001 beside it, comes into view 10 ahead.
+    std::vector<Vec3f> corners{{0.001F, -5, 20}, {0.001F, 5, 20}, {0.001F, 0, -60}};
+    const ScenePointer scene = sceneOf({soupMesh(corners)});
+    const CullerPointer culler = makeCuller("bsp");
+    culler->build(*scene);
+    const auto promise = [&](const Vec3& target) {
+        const Camera camera{{0, 0, 0}, target, {0, 1, 0}, Angle::fromDegrees(5), 1e-4, 100};
+        return culler->promiseAt(View(camera, kSize));
+    };
+    EXPECT_EQ(promise({-1, 0, -0.1}), Promise::Conservative) << "looking away from it";
+    EXPECT_EQ(promise({1, 0, 0}), Promise::Approximate) << "looking at it from a thousandth of a unit";
+}
+
+}  // namespace
+}  // namespace cullscope::test::displaced_surfaces_test
