@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "core/image/plane_colours.h"
 #include "core/visibility/overlay.h"
+#include "core/visibility/plane_colours.h"
 
 namespace cullscope {
 

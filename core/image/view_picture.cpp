@@ -134,11 +134,15 @@ std::set<TriangleState> legendOf(const ViewLook& look) {
     return states;
 }
 
-std::vector<std::string> contrastLegendOf(const ViewLook& look, const StrategyInfo& strategy) {
-    std::vector<std::string> words;
-    for (const Show& show : strategy.shows)
-        if (!show.contrastWords.empty() && !look.inPlace() && look.shows(show.id)) words.push_back(show.contrastWords);
-    return words;
+std::vector<ShowMeaning> meaningsOf(const ViewLook& look, const StrategyInfo& strategy) {
+    std::vector<ShowMeaning> meanings;
+    for (const Show& show : strategy.shows) {
+        const bool shown = show.kind == Show::Kind::Boxes ? look.has(Show::Kind::Boxes)
+                                                          : show.kind == Show::Kind::Overlay && look.shows(show.id);
+        if (shown && !look.inPlace()) meanings.insert(meanings.end(), show.meanings.begin(), show.meanings.end());
+    }
+    if (look.has(Show::Kind::Backs)) meanings.push_back({CULLSCOPE_TR("back side of a surface"), backColour});
+    return meanings;
 }
 
 Vec3f ghostColour(const DrawStyle& style) { return glm::mix(style.background, style.surface, kGhostShare); }

@@ -56,8 +56,8 @@ private:
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> unusualOf(const ViewLook& look);
 /// The states of triangles whose colours a look uses.
 [[nodiscard]] std::set<TriangleState> legendOf(const ViewLook& look);
-/// What lines in the contrasting colour mean in a picture by a strategy (Show::contrastWords); marked for translation.
-[[nodiscard]] std::vector<std::string> contrastLegendOf(const ViewLook& look, const StrategyInfo& strategy);
+/// What lines of other colours mean in a picture by a strategy (Show::meanings).
+[[nodiscard]] std::vector<ShowMeaning> meaningsOf(const ViewLook& look, const StrategyInfo& strategy);
 
 /// The colour of what a ghost shows (Show::Kind::Ghost), and of the surfaces' back sides (Show::Kind::Backs).
 [[nodiscard]] Vec3f ghostColour(const DrawStyle& style);

@@ -8,6 +8,7 @@
 #include "core/base/message.h"
 #include "core/frame/flow_chart.h"
 #include "core/frame/listing.h"
+#include "core/geometry/types.h"
 #include "core/visibility/triangle_states.h"
 
 namespace cullscope {
@@ -26,6 +27,14 @@ struct ShowColouring {
 struct ShowField {
     std::string key;  ///< empty: the show's id
     std::string off, on;
+};
+
+/// What lines of one colour mean in a picture.
+struct ShowMeaning {
+    std::string words;                                   ///< marked for translation
+    Vec3f (*colour)(const Vec3f& background) = nullptr;  ///< of the lines over such a background
+
+    bool operator==(const ShowMeaning&) const = default;
 };
 
 /// What can be shown of a recorded frame besides the drawn triangles. A strategy declares what it has in StrategyInfo::shows;
@@ -57,11 +66,10 @@ struct Show {
     std::string title;   ///< of what a picture shows in a menu, of a Curve and Bars the tab, of a map in a sentence; marked for
                          ///< translation
     std::string action;  ///< the same with a marked key, in the window's menu; empty: it is in the views' menus alone
-    std::string explanation;            ///< one sentence about it, marked for translation
-    std::vector<TriangleState> legend;  ///< the states whose colours it uses
-    std::string contrastWords{};        ///< of an Overlay: what its lines in the colour that contrasts with the background mean,
-                                        ///< marked for translation; empty: legends do not name them
-    AbsentShow absent = nullptr;        ///< never null for what cullbench draws: Overlay, DirectionMap
+    std::string explanation;                ///< one sentence about it, marked for translation
+    std::vector<TriangleState> legend;      ///< the states whose colours it uses
+    std::vector<ShowMeaning> meanings{};    ///< of an Overlay and a strategy's own Boxes: what other colours mean, for legends
+    AbsentShow absent = nullptr;            ///< never null for what cullbench draws: Overlay, DirectionMap
     std::vector<ShowColouring> colourings;  ///< of a DirectionMap: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
     std::vector<ListingLine> lines;         ///< of a Listing: kMostListingLines at most

@@ -192,10 +192,6 @@
         <translation>%1 뷰를 밖에서 관찰</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>표시</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>비교</translation>
     </message>
@@ -7547,6 +7543,30 @@
         <source>any hit: region between them</source>
         <translation>하나라도 맞으면 그 사이 영역</translation>
     </message>
+    <message>
+        <source>back side of a surface</source>
+        <translation>표면의 뒷면</translation>
+    </message>
+    <message>
+        <source>plane that the eye is before</source>
+        <translation>눈이 앞쪽에 있는 평면</translation>
+    </message>
+    <message>
+        <source>plane that the eye is behind</source>
+        <translation>눈이 뒤쪽에 있는 평면</translation>
+    </message>
+    <message>
+        <source>corner rays; boxes of the region</source>
+        <translation>모서리 광선, 영역의 상자</translation>
+    </message>
+    <message>
+        <source>S of a contour band</source>
+        <translation>등고선 띠의 S</translation>
+    </message>
+    <message>
+        <source>horizon that the eye sees</source>
+        <translation>눈이 보는 지평선</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8200,6 +8220,11 @@ OpenGL %2
         <comment>scene, time, path and size</comment>
         <translation>%1, %2
 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>number of a measurement, scene and time</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>

@@ -192,10 +192,6 @@
         <translation>从外部观察视图 %1</translation>
     </message>
     <message>
-        <source>Show</source>
-        <translation>显示</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>比较</translation>
     </message>
@@ -7547,6 +7543,30 @@
         <source>any hit: region between them</source>
         <translation>有命中：其间的区域</translation>
     </message>
+    <message>
+        <source>back side of a surface</source>
+        <translation>表面的背面</translation>
+    </message>
+    <message>
+        <source>plane that the eye is before</source>
+        <translation>视点位于其前方的平面</translation>
+    </message>
+    <message>
+        <source>plane that the eye is behind</source>
+        <translation>视点位于其后方的平面</translation>
+    </message>
+    <message>
+        <source>corner rays; boxes of the region</source>
+        <translation>角光线；区域的方框</translation>
+    </message>
+    <message>
+        <source>S of a contour band</source>
+        <translation>等高环带的 S</translation>
+    </message>
+    <message>
+        <source>horizon that the eye sees</source>
+        <translation>视点看到的地平线</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8200,6 +8220,11 @@ OpenGL %2
         <comment>scene, time, path and size</comment>
         <translation>%1，%2
 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>number of a measurement, scene and time</comment>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

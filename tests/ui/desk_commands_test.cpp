@@ -178,8 +178,10 @@ TEST(GenerateDialog, saysHowLargeTheSceneWillBeAndAsksBeforeALargeOne) {
     EXPECT_TRUE(dialog.sizeSentence().contains(QStringLiteral("100,000"))) << dialog.sizeSentence().toStdString();
     field->setText(QStringLiteral("many"));
     EXPECT_TRUE(dialog.sizeSentence().contains(QStringLiteral("triangles"))) << dialog.sizeSentence().toStdString();
+    EXPECT_FALSE(dialog.canGenerate()) << "a wrong value is mended in the dialog, which would be gone";
     field->setText(QStringLiteral("5e7"));
     EXPECT_TRUE(dialog.sizeSentence().contains(QStringLiteral("50,000,000"))) << dialog.sizeSentence().toStdString();
+    EXPECT_TRUE(dialog.canGenerate());
     int asked = 0;
     const auto answer = [&](QMessageBox::ButtonRole role) {
         QTimer::singleShot(0, &dialog, [&asked, role] {

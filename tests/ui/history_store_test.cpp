@@ -92,6 +92,11 @@ TEST_F(HistoryStore, measurementsAreFilteredComparedAndShownWithTheirIntervals) 
     EXPECT_EQ(model.columnCount(), 0);
     panel.filter().setText(QStringLiteral("FRUSTUM"));
     EXPECT_EQ(model.columnCount(), 2);
+    for (const int column : {0, 1})
+        EXPECT_TRUE(model.headerData(column, Qt::Horizontal, Qt::DisplayRole)
+                        .toString()
+                        .startsWith(QStringLiteral("%1: ").arg(2 - column)))
+            << "errors call a measurement by its number";
     EXPECT_FALSE(panel.compare().isEnabled());
     std::vector<qint64> two;
     QObject::connect(&panel, &HistoryPanel::compareRequested, &panel, [&](qint64 a, qint64 b) { two = {a, b}; });

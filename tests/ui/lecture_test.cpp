@@ -154,6 +154,19 @@ TEST_F(Lecture, aPickAmongSeveralViewsIsAnsweredBesideThem) {
     EXPECT_TRUE(waitUntil([&] { return !lecture.structure().isVisible(); })) << "nothing is picked any more";
 }
 
+TEST_F(Lecture, linesOfAStrategysOwnAreInTheLegend) {
+    watch("bsp");
+    LectureWindow& lecture = begin();
+    const QString words = QStringLiteral("plane that the eye is before");
+    EXPECT_FALSE(lecture.legend().words().contains(words));
+    ViewSetup setup = session.setup(1);
+    setup.look.show("bsp-planes", true);
+    session.setSetup(1, setup);
+    EXPECT_TRUE(waitUntil([&] { return lecture.legend().words().contains(words); }));
+    session.slot(0).choose("spherical");
+    EXPECT_TRUE(waitUntil([&] { return !lecture.legend().words().contains(words); })) << "it has no such planes";
+}
+
 TEST_F(Lecture, rowsOfPlanesAreAsHighAsTheirLetters) {
     watch("frustum");
     LectureWindow& lecture = begin();

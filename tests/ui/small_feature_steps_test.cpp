@@ -104,18 +104,18 @@ TEST_F(SmallFeatureSteps, outlineIsToldApartInTheObserverWithALegend) {
     session.observe(1, 0);
     session.setActiveView(1);
     settleAll();
-    EXPECT_TRUE(window.legend().contrast().isHidden());
+    EXPECT_TRUE(window.legend().meanings().isHidden());
     const QImage before = pixelsAlone(session.picture(1)->colour);
     ViewSetup setup = session.setup(1);
     setup.look.show("outline", true);
     session.setSetup(1, setup);
     settleAll();
     EXPECT_NE(pixelsAlone(session.picture(1)->colour), before);
-    EXPECT_FALSE(window.legend().contrast().isHidden());
-    EXPECT_EQ(window.legend().contrast().findChild<QLabel*>()->text(), QStringLiteral("outline: always kept"));
+    EXPECT_FALSE(window.legend().meanings().isHidden());
+    EXPECT_EQ(window.legend().meanings().findChild<QLabel*>()->text(), QStringLiteral("outline: always kept"));
     session.slot(0).choose("frustum");
     settleAll();
-    EXPECT_TRUE(window.legend().contrast().isHidden()) << "it keeps no outline";
+    EXPECT_TRUE(window.legend().meanings().isHidden()) << "it keeps no outline";
 }
 
 TEST_F(SmallFeatureSteps, missedPixelsStandBesideTheSliderAndFollowIt) {

@@ -212,6 +212,21 @@ TEST_F(StructurePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
     EXPECT_EQ(reader.pickedState(), TriangleState::OutsideFrustum);
 }
 
+TEST(PlaneTable, headingOfItsBarsIsWholeOrLeftOut) {
+    QWidget window;
+    window.resize(900, 100);
+    PlaneTable table(&window);
+    table.setSteps({}, {{FrustumPlane::Left, -1.0, 0.5, Containment::Outside}});
+    table.resize(600, 100);
+    window.show();
+    QApplication::processEvents();
+    EXPECT_EQ(table.horizontalHeaderItem(3)->text(), QStringLiteral("Outside | inside"));
+    table.resize(600 - table.columnWidth(3) + 40, 100);
+    QApplication::processEvents();
+    EXPECT_LT(table.columnWidth(3), 60);
+    EXPECT_TRUE(table.horizontalHeaderItem(3)->text().isEmpty()) << "so few pixels hold no heading";
+}
+
 TEST_F(StructurePanelTest, allHasNoBoxesAndNoTree) {
     session.slot(1).choose("all");
     settle();

@@ -3,7 +3,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QMessageBox>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
@@ -59,7 +58,8 @@ GenerateDialog::GenerateDialog(const GeneratorInfo& generator, QWidget* parent)
     m_size->setWordWrap(true);
     layout->addWidget(m_size);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Generate"));
+    m_generate = buttons->button(QDialogButtonBox::Ok);
+    m_generate->setText(tr("Generate"));
     connect(buttons, &QDialogButtonBox::accepted, this, &GenerateDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
@@ -68,12 +68,14 @@ GenerateDialog::GenerateDialog(const GeneratorInfo& generator, QWidget* parent)
 
 void GenerateDialog::showSize() {
     m_large = false;
+    m_generate->setEnabled(true);
     try {
         const std::optional<SceneEstimate> estimate = estimateScene(specification().toStdString());
         m_size->setText(estimate ? tr("The scene will have: %1.", "sizes").arg(sizeOf(*estimate)) : QString());
         m_large = estimate && estimate->large();
     } catch (const Error& error) {
         m_size->setText(translated(error.message()));
+        m_generate->setEnabled(false);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <vector>
 
 #include "core/scene/scene_source.h"
@@ -21,6 +22,8 @@ public:
     [[nodiscard]] QString specification() const;
     /// How large the scene will be, or what is wrong with a parameter.
     [[nodiscard]] QString sizeSentence() const { return m_size->text(); }
+    /// Not while a parameter's value is wrong.
+    [[nodiscard]] bool canGenerate() const { return m_generate->isEnabled(); }
 
 public slots:
     void accept() override;
@@ -31,6 +34,7 @@ private:
     GeneratorInfo m_generator;
     std::vector<QLineEdit*> m_fields;
     QLabel* m_size;
+    QPushButton* m_generate = nullptr;
     bool m_large = false;
 };
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/gpu/renderer.h"
-#include "core/image/plane_colours.h"
 #include "core/measure/accuracy.h"
 #include "core/scene/section.h"
+#include "core/visibility/plane_colours.h"
 #include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/view_frames.h"
 #include "ui/jobs/view_setup.h"

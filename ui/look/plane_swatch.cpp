@@ -2,7 +2,7 @@
 
 #include <QGuiApplication>
 
-#include "core/image/plane_colours.h"
+#include "core/visibility/plane_colours.h"
 #include "ui/look/painted_icon.h"
 
 namespace cullscope::ui {

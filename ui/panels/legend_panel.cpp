@@ -9,6 +9,7 @@
 
 #include "core/image/view_picture.h"
 #include "core/visibility/registry.h"
+#include "ui/look/meaning_colour.h"
 #include "ui/look/promise_marker.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/models/metrics_words.h"
@@ -38,17 +39,20 @@ private:
     Promise m_promise;
 };
 
-/// The frame of a box in the colour that contrasts with pictures.
-class ContrastSwatch : public QWidget {
+/// The frame of a box in the colour that lines of a show have in pictures.
+class MeaningSwatch : public QWidget {
 public:
-    explicit ContrastSwatch(QWidget* parent) : QWidget(parent) { setFixedSize(14, 14); }
+    MeaningSwatch(ShowMeaning meaning, QWidget* parent) : QWidget(parent), m_meaning(std::move(meaning)) { setFixedSize(14, 14); }
 
 protected:
     void paintEvent(QPaintEvent*) override {
         QPainter painter(this);
-        painter.setPen(QPen(palette().color(QPalette::WindowText), 2.0));
+        painter.setPen(QPen(meaningColour(m_meaning, palette()), 2.0));
         painter.drawRect(QRectF(2, 2, 10, 10));
     }
+
+private:
+    ShowMeaning m_meaning;
 };
 
 /// A count of at most four digits, which keeps the column narrow.
@@ -86,7 +90,7 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
     layout->setSpacing(3);
     layout->addWidget(m_heading);
     layout->addWidget(m_states);
-    layout->addWidget(makeContrast());
+    layout->addWidget(makeMeanings());
     layout->addWidget(m_planes);
     layout->addWidget(makePromises());
     layout->addWidget(m_figures);
@@ -125,24 +129,30 @@ void LegendPanel::placeStates(int rows) {
     }
 }
 
-QWidget* LegendPanel::makeContrast() {
-    m_contrast = new QWidget(this);
-    m_contrastWords = new QLabel(m_contrast);
-    auto* row = new QHBoxLayout(m_contrast);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
-    row->addWidget(new ContrastSwatch(m_contrast));
-    row->addWidget(m_contrastWords, 1);
-    return m_contrast;
+QWidget* LegendPanel::makeMeanings() {
+    m_meanings = new QWidget(this);
+    auto* rows = new QVBoxLayout(m_meanings);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(2);
+    return m_meanings;
 }
 
-void LegendPanel::showContrast() {
+void LegendPanel::showMeanings() {
     const int view = m_session.activeView();
     const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
-    QStringList words;
-    for (const std::string& each : contrastLegendOf(m_session.setup(view).look, strategy)) words << translated(each);
-    m_contrastWords->setText(words.join(QStringLiteral(", ")));
-    m_contrast->setVisible(m_session.opened() && !words.isEmpty());
+    const std::vector<ShowMeaning> meanings =
+        m_session.opened() ? meaningsOf(m_session.setup(view).look, strategy) : std::vector<ShowMeaning>();
+    for (QWidget* former : m_meanings->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) delete former;
+    for (const ShowMeaning& meaning : meanings) {
+        auto* row = new QWidget(m_meanings);
+        auto* cells = new QHBoxLayout(row);
+        cells->setContentsMargins(0, 0, 0, 0);
+        cells->setSpacing(6);
+        cells->addWidget(new MeaningSwatch(meaning, row));
+        cells->addWidget(new QLabel(translated(meaning.words), row), 1);
+        m_meanings->layout()->addWidget(row);
+    }
+    m_meanings->setVisible(!meanings.empty());
 }
 
 QWidget* LegendPanel::makePromises() {
@@ -180,7 +190,7 @@ void LegendPanel::wire() {
     connect(&m_session, &Session::strategyBuilt, this, &LegendPanel::showCounts);
     for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt}) {
         connect(&m_session, signal, this, &LegendPanel::showPlanes);
-        connect(&m_session, signal, this, &LegendPanel::showContrast);
+        connect(&m_session, signal, this, &LegendPanel::showMeanings);
         connect(&m_session, signal, this, &LegendPanel::showUndecided);
     }
     // The lecture's window keeps its legend while a question is open, and counts would answer it.
@@ -277,7 +287,7 @@ void LegendPanel::refresh() {
     m_next->setText(nextAction());
     m_planes->retranslate();
     showPlanes();
-    showContrast();
+    showMeanings();
     showUndecided();
     showCounts();
 }

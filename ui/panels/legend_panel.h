@@ -28,8 +28,8 @@ public:
     [[nodiscard]] QString figuresWords() const;
     /// Suggests the first action again.
     void startAnew();
-    /// What lines in the contrasting colour mean in the active view; hidden where it has none.
-    [[nodiscard]] const QWidget& contrast() const { return *m_contrast; }
+    /// What lines of a strategy's shows mean in the active view; hidden where it has none.
+    [[nodiscard]] const QWidget& meanings() const { return *m_meanings; }
 
 signals:
     /// The user follows the suggestion to begin with the first lesson.
@@ -43,13 +43,13 @@ private:
 
     QWidget* makeStates();
     void placeStates(int rows);
-    QWidget* makeContrast();
+    QWidget* makeMeanings();
     QWidget* makePromises();
     void wire();
     void refresh();
     void showCounts();
     void showPlanes();
-    void showContrast();
+    void showMeanings();
     void showUndecided();
     void advance(Progress to);
     [[nodiscard]] QString turnAction() const;
@@ -64,8 +64,7 @@ private:
     std::array<QWidget*, kTriangleStateCount> m_swatches{};
     std::array<QLabel*, kTriangleStateCount> m_words{};
     std::array<QLabel*, kTriangleStateCount> m_counts{};
-    QWidget* m_contrast = nullptr;
-    QLabel* m_contrastWords = nullptr;
+    QWidget* m_meanings = nullptr;
     PlaneLegend* m_planes;
     QList<QLabel*> m_promises;
     QLabel* m_next;

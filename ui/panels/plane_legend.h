@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "core/image/plane_colours.h"
+#include "core/visibility/plane_colours.h"
 
 namespace cullscope::ui {
 

@@ -71,6 +71,9 @@ PlaneTable::PlaneTable(QWidget* parent) : QTableWidget(0, ColumnCount, parent) {
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(Bar, QHeaderView::Stretch);
     horizontalHeader()->setSectionsClickable(false);
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this](int section, int /*before*/, int width) {
+        if (section == Bar) fitBarHeading(width);
+    });
     retranslate();
 }
 
@@ -111,6 +114,16 @@ void PlaneTable::fitRows() {
     setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * high + 2);
 }
 
+/// The bars are as wide as the other columns leave them: there is no place for half a heading, and its tip says it too.
+void PlaneTable::fitBarHeading(int width) {
+    QTableWidgetItem* heading = horizontalHeaderItem(Bar);
+    if (!heading) return;
+    const QString whole = tr("Outside | inside");
+    const int margin = 2 * style()->pixelMetric(QStyle::PM_HeaderMargin, nullptr, horizontalHeader());
+    const bool fits = horizontalHeader()->fontMetrics().horizontalAdvance(whole) + margin <= width;
+    if (const QString text = fits ? whole : QString(); heading->text() != text) heading->setText(text);
+}
+
 void PlaneTable::changeEvent(QEvent* event) {
     QTableWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange) fitRows();
@@ -142,6 +155,8 @@ void PlaneTable::retranslate() {
     setHorizontalHeaderLabels({tr("Plane"), tr("Distance"), tr("Bound"), tr("Outside | inside")});
     horizontalHeaderItem(Bar)->setToolTip(
         tr("The distance in multiples of the bound, logarithmically; outside begins at the dashed line."));
+    horizontalHeaderItem(Bar)->setData(Qt::AccessibleTextRole, tr("Outside | inside"));
+    fitBarHeading(columnWidth(Bar));
     setAccessibleName(tr("Plane tests"));
 }
 

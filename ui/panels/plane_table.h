@@ -37,6 +37,7 @@ private:
 
     [[nodiscard]] static std::vector<Row> rowsOf(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own);
     void fitRows();
+    void fitBarHeading(int width);
     void fillRow(int number, const Row& row, double largest);
 
     std::vector<Row> m_rows;

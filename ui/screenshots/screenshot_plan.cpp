@@ -132,11 +132,11 @@ void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
 std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
     bool planes = false, marks = false, snapped = false;
     std::set<TriangleState> states;
-    std::set<std::string> contrasting;
+    std::vector<ShowMeaning> meanings;
     for (const ScreenshotPlan::Part& part : parts) {
         states.merge(legendOf(part.request.look));
-        for (const std::string& words : contrastLegendOf(part.request.look, part.request.strategy->info()))
-            contrasting.insert(words);
+        for (const ShowMeaning& meaning : meaningsOf(part.request.look, part.request.strategy->info()))
+            if (std::ranges::find(meanings, meaning) == meanings.end()) meanings.push_back(meaning);
         planes = planes || part.request.look.has(Show::Kind::Planes);
         snapped = snapped || part.request.lost != nullptr;
         marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
@@ -144,9 +144,10 @@ std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& 
     std::vector<LegendEntry> legend;
     const auto palette = verdictPalette(style.background);
     for (const TriangleState state : states) legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
-    const Vec3f contrast = contrastTo(style.background);
-    for (const std::string& words : contrasting)
-        legend.push_back({std::nullopt, QColor::fromRgbF(contrast.x, contrast.y, contrast.z), translated(words), QRect()});
+    for (const ShowMeaning& meaning : meanings) {
+        const Vec3f colour = meaning.colour(style.background);
+        legend.push_back({std::nullopt, QColor::fromRgbF(colour.x, colour.y, colour.z), translated(meaning.words), QRect()});
+    }
     if (planes) addPlanes(legend, style.background);
     if (marks) {
         const Vec3f lost = palette[size_t(TriangleState::WronglyCulled)].colour;

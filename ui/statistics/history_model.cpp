@@ -86,8 +86,12 @@ QVariant HistoryModel::headerData(int section, Qt::Orientation orientation, int 
     const QDateTime when = experiment.when.toLocalTime();
     const QString time = when.date() == QDate::currentDate() ? QLocale().toString(when.time(), QLocale::ShortFormat)
                                                              : QLocale().toString(when, QLocale::ShortFormat);
-    if (role == Qt::DisplayRole)
-        return tr("%1, %2\n%3", "scene, time, path and size").arg(experiment.scene, time, experiment.what);
+    if (role == Qt::DisplayRole) {
+        const QString text = tr("%1, %2\n%3", "scene, time, path and size").arg(experiment.scene, time, experiment.what);
+        // The number that files and error messages call the measurement by.
+        return experiment.number > 0 ? tr("%1: %2", "number of a measurement, scene and time").arg(experiment.number).arg(text)
+                                     : text;
+    }
     if (role == Qt::ToolTipRole) return QLocale().toString(experiment.when.toLocalTime(), QLocale::LongFormat);
     return {};
 }

@@ -3,8 +3,12 @@
 #include <QLabel>
 #include <QPainter>
 #include <algorithm>
+#include <set>
 
+#include "core/image/view_picture.h"
+#include "core/visibility/registry.h"
 #include "ui/look/in_hand.h"
+#include "ui/look/meaning_colour.h"
 #include "ui/look/plane_swatch.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/statistics/flow_layout.h"
@@ -82,6 +86,18 @@ private:
     double m_unit;
 };
 
+/// The states in whose colours a look shows boxes and other lines.
+std::set<TriangleState> statesOfLines(const ViewLook& look, const StrategyInfo& strategy) {
+    std::set<TriangleState> states;
+    const auto add = [&](const Show& show) { states.insert(show.legend.begin(), show.legend.end()); };
+    if (look.inPlace()) return states;
+    for (const Show& show : strategy.shows)
+        if (show.kind == Show::Kind::Overlay && look.shows(show.id)) add(show);
+    const bool boxes = look.has(Show::Kind::Boxes) && !look.has(Show::Kind::Planes);
+    if (boxes && !strategy.first(Show::Kind::Boxes)) add(commonShow(Show::Kind::Boxes));
+    return states;
+}
+
 }  // namespace
 
 LegendStrip::LegendStrip(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
@@ -96,6 +112,7 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     states[size_t(TriangleState::Undecided)] = false;
     for (const TriangleState state : more.states) states[size_t(state)] = true;
     bool planes = false, marks = false, differences = false;
+    std::vector<ShowMeaning> meanings;
     const bool stepped = std::ranges::any_of(views, [&](int view) { return m_session.stepOf(view) != nullptr; });
     for (const int view : views) {
         const ViewSetup& setup = m_session.setup(view);
@@ -103,6 +120,10 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
         marks = marks || setup.wipe.mode == Wipe::Mode::Loss;
         differences = differences || setup.wipe.mode == Wipe::Mode::Difference;
         planes = planes || (setup.look.has(Show::Kind::Planes) && setup.look.has(Show::Kind::Boxes));
+        const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
+        for (const TriangleState state : statesOfLines(setup.look, strategy)) states[size_t(state)] = true;
+        for (const ShowMeaning& meaning : meaningsOf(setup.look, strategy))
+            if (std::ranges::find(meanings, meaning) == meanings.end()) meanings.push_back(meaning);
         const ViewMetrics& figures = m_session.figures(view);
         const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
         if (!setup.look.has(Show::Kind::Verdicts)) continue;
@@ -123,6 +144,10 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     if (planes)
         for (size_t plane = 0; plane < kFrustumPlaneCount; ++plane)
             entries.push_back({translated(planeName(FrustumPlane(plane))), {}, planeColour(FrustumPlane(plane), palette())});
+    // A map's line that means the same stands for both.
+    for (const ShowMeaning& meaning : meanings)
+        if (std::ranges::find(more.lines, translated(meaning.words), &MapLegend::Entry::words) == more.lines.end())
+            entries.push_back({translated(meaning.words), {}, meaningColour(meaning, palette())});
     if (stepped) entries.push_back({tr("in hand"), {}, {}, {}, true});
     for (const MapLegend::Entry& line : more.lines) entries.push_back({line.words, {}, {}, line.symbol});
     return entries;

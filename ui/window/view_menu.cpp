@@ -77,7 +77,7 @@ void ViewMenu::addCameras() {
 }
 
 void ViewMenu::addLook() {
-    QMenu* menu = m_menu.addMenu(tr("Show"));
+    QMenu* menu = m_menu.addMenu(tr("Picture"));
     menu->setToolTipsVisible(true);
     const ViewLook& look = setup().look;
     for (const Show* show : pictureShows()) {

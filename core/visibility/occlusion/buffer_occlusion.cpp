@@ -4,6 +4,7 @@
 
 #include "core/base/message.h"
 #include "core/frame/named_parts.h"
+#include "core/gpu/colour.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/occlusion/buffer_walk.h"
@@ -180,7 +181,7 @@ Show occludersShow() {
     show.title = CULLSCOPE_TR("Occluders");
     show.action = CULLSCOPE_TR("&Occluders");
     show.explanation = CULLSCOPE_TR("Show in the active view which triangles hide what lies behind them");
-    show.contrastWords = CULLSCOPE_TR("drawn as an occluder");
+    show.meanings = {{CULLSCOPE_TR("drawn as an occluder"), contrastTo}};
     show.absent = noOccluders;
     return show;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/message.h"
+#include "core/gpu/colour.h"
 #include "core/spatial/hiding_sheets.h"
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
@@ -263,7 +264,7 @@ Show viewCellShow() {
     show.title = CULLSCOPE_TR("View cell");
     show.action = CULLSCOPE_TR("View &cell");
     show.explanation = CULLSCOPE_TR("Show in the active view the cell from anywhere in which the drawn objects may be seen");
-    show.contrastWords = CULLSCOPE_TR("view cell of the culling eye");
+    show.meanings = {{CULLSCOPE_TR("view cell of the culling eye"), contrastTo}};
     show.absent = noCell;
     return show;
 }

@@ -9,6 +9,7 @@
 #include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/overlay.h"
+#include "core/visibility/plane_colours.h"
 #include "core/visibility/subject_shape.h"
 #include "core/visibility/why.h"
 
@@ -36,6 +37,10 @@ BspOptions optionsOf(const ParameterSet& parameters) {
     return options;
 }
 
+/// Of splitting planes, by the side that the eye is on.
+Vec3f colourBefore(const Vec3f& background) { return planePalette(background)[0]; }
+Vec3f colourBehind(const Vec3f& background) { return planePalette(background)[1]; }
+
 class Bsp final : public StrategyWith<TreeOfScene> {
 public:
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view /*id*/, const OverlayContext& context,
@@ -47,7 +52,8 @@ public:
             const BspTree::Node& node = tree.nodes()[number];
             const std::vector<Vec3> polygon = planeInCell(tree, number, context.scene.bounds());
             // The side that the eye is on decides the colour, the depth in the tree how strong it is.
-            const Vec3f side = BspTree::sideOf(node, log.camera.eye) >= 0 ? context.planes[0] : context.planes[1];
+            const Vec3f side = BspTree::sideOf(node, log.camera.eye) >= 0 ? colourBefore(context.style.background)
+                                                                          : colourBehind(context.style.background);
             const float weight = 1.0f / float(1 + node.depth / 2);
             const Vec3f colour = side * weight + context.contrast * (1.0f - weight) * 0.5f;
             for (size_t i = 0; i < polygon.size(); ++i)
@@ -179,6 +185,8 @@ Show splittingPlanes() {
     show.title = CULLSCOPE_TR("Splitting planes");
     show.action = CULLSCOPE_TR("&Splitting planes");
     show.explanation = CULLSCOPE_TR("Show in the active view the first planes of the BSP tree, each within its cell");
+    show.meanings = {{CULLSCOPE_TR("plane that the eye is before"), colourBefore},
+                     {CULLSCOPE_TR("plane that the eye is behind"), colourBehind}};
     show.absent = noPlanes;
     return show;
 }

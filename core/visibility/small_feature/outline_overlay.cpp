@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/base/message.h"
+#include "core/gpu/colour.h"
 
 namespace cullscope::small_feature {
 namespace {
@@ -74,7 +75,7 @@ Show outlineShow() {
         "Show in the active view the boxes of the components that are always kept, and those of the others by what became of "
         "them");
     show.legend = {TriangleState::Visible, TriangleState::TooSmall};
-    show.contrastWords = CULLSCOPE_TR("outline: always kept");
+    show.meanings = {{CULLSCOPE_TR("outline: always kept"), contrastTo}};
     show.absent = noOutline;
     return show;
 }

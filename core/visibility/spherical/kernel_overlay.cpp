@@ -20,9 +20,6 @@ constexpr double kKernelLeastRadius =
     20.0;                           ///< pixels; smaller kernels are left out, because many small ones would hide each other
 constexpr double kLeastStep = 2.0;  ///< pixels between points of a line
 
-constexpr Vec3f kHorizonColour(0.86f, 0.08f, 0.08f);  ///< the visible region's colour: the outline is the border of what the eye
-                                                      ///< can see
-
 /// The kernel as a surface through the corners of its cells, in the world. Each cell has one radius, and a corner takes the
 /// smallest of the cells that share it, so that the surface has no steps and lies inside the kernel everywhere.
 class KernelSurface {
@@ -144,8 +141,10 @@ private:
     void addHorizon(const MapSnapshot& map, const MapPlace& place) {
         if (!map.decision.walk) return;
         const std::vector<Vec3>& outline = map.decision.walk->outline;
+        // The outline is the border of what the eye can see, as that of a visible region.
+        const Vec3f horizon = regionColour(m_context.style.background);
         for (size_t i = 0; i < outline.size(); ++i)
-            m_horizons.push_back({place.world(outline[i]), place.world(outline[(i + 1) % outline.size()]), kHorizonColour});
+            m_horizons.push_back({place.world(outline[i]), place.world(outline[(i + 1) % outline.size()]), horizon});
     }
 
     const OverlayContext& m_context;

@@ -15,6 +15,10 @@ namespace cullscope::spherical {
 /// sphere, coloured by verdict, if they are some pixels large.
 [[nodiscard]] std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps);
 
+/// The colours of those great circles and of the visible region: red and dashed, as in the paper's Figure 4.
+[[nodiscard]] Vec3f sphereColour(const Vec3f& background);
+[[nodiscard]] Vec3f regionColour(const Vec3f& background);
+
 /// The contour bands on the bounding spheres: the circles between them, coloured by the verdict of the sectors of the band
 /// beyond; the circle at 90° with a wider line; and the axis with its start (ring) and end (dot) (Han & Hong 2008, Figure 5).
 /// Circles closer than a few pixels are left out.

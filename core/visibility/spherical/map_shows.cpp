@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 
+#include "core/gpu/colour.h"
 #include "core/visibility/registry.h"
 #include "core/visibility/spherical/band_curve.h"
 #include "core/visibility/spherical/index_map.h"
@@ -34,11 +35,16 @@ Message noMap(const std::string& option, const std::string& strategy, const std:
     return {"%1: the strategy \"%2\" has no index map. Strategies that have one: %3.", {option, strategy, having}};
 }
 
-Show boxesShow() {
+Show boxesShow(bool region) {
     Show show;
     show.kind = Show::Kind::Boxes;
     show.id = kBoxesShow;
     show.help = "bounding spheres, visible region and corner rays of spherical strategies, judged cells of spherical-lossless";
+    show.meanings = {{CULLSCOPE_TR("bounding sphere"), sphereColour}};
+    if (region) {
+        show.meanings.push_back({CULLSCOPE_TR("visible region"), regionColour});
+        show.meanings.push_back({CULLSCOPE_TR("corner rays; boxes of the region"), contrastTo});
+    }
     return show;
 }
 
@@ -64,6 +70,7 @@ Show sizesShow() {
     show.explanation = CULLSCOPE_TR(
         "Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured "
         "at, dashed where the band is hidden");
+    show.meanings = {{CULLSCOPE_TR("S of a contour band"), sizeColour}};
     show.absent = noBands;
     return show;
 }
@@ -86,6 +93,7 @@ Show kernelShow() {
     show.explanation = CULLSCOPE_TR(
         "Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies "
         "behind it is left out by the lossless spherical strategy");
+    show.meanings = {{CULLSCOPE_TR("horizon that the eye sees"), regionColour}};
     show.absent = noCells;
     return show;
 }
@@ -145,9 +153,9 @@ std::string walkLine(const CellWalk& walk) {
 }  // namespace
 
 std::vector<Show> showsOfBands() {
-    return {treeShow(), boxesShow(), bandsShow(), sizesShow(), bandCurveShow(), indexMapShow(false)};
+    return {treeShow(), boxesShow(true), bandsShow(), sizesShow(), bandCurveShow(), indexMapShow(false)};
 }
-std::vector<Show> showsOfCells() { return {treeShow(), boxesShow(), kernelShow(), indexMapShow(true)}; }
+std::vector<Show> showsOfCells() { return {treeShow(), boxesShow(false), kernelShow(), indexMapShow(true)}; }
 
 std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context, const StructureSnapshot& snapshot) {
     const std::vector<MapSnapshot>& maps = mapsOf(snapshot);

@@ -5,6 +5,7 @@
 #include "core/visibility/spherical/judged_cells.h"
 #include "core/visibility/spherical/map_overlays.h"
 #include "core/visibility/spherical/map_place.h"
+#include "core/visibility/verdict_palette.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kHitRadius = 4.0;
 constexpr double kMissRadius = 4.5;
 constexpr double kLeastCellOnSphere = 8.0;
 
-constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);       ///< red and dashed, as in the paper's Figure 4
 constexpr double kSphereStep = std::numbers::pi / 120.0;  ///< step of lines on the sphere, radians
 constexpr int kStepsADash = 2;
 
@@ -55,7 +55,7 @@ public:
 private:
     void addCircles(const MapSnapshot& map, const MapPlace& place) {
         const double radius = map.maps.sphere().radius;
-        const Vec3f colour = m_context.palette[size_t(TriangleState::Visible)].colour;
+        const Vec3f colour = sphereColour(m_context.style.background);
         const Vec3 centre = place.world(Vec3(0.0));
         const double worldRadius = m_context.scene.instanceSphere(map.decision.instance).radius;
         const int pieces = piecesOfCircle(pixelsOf(m_context.viewing, centre, worldRadius));
@@ -97,11 +97,12 @@ private:
         const double radius = map.maps.sphere().radius;
         for (const CellBox& box : region.boxes) addBox(box, map.maps->grid(), radius, place);
         const std::vector<Vec2>& outline = region.outline;
+        const Vec3f colour = regionColour(m_context.style.background);
         m_dash = 0;
-        for (size_t i = 1; i < outline.size(); ++i) addOnSphere(outline[i - 1], outline[i], radius, place, kRegionColour, true);
+        for (size_t i = 1; i < outline.size(); ++i) addOnSphere(outline[i - 1], outline[i], radius, place, colour, true);
         // In case 1 the outline ends a whole turn from its start, which is the same place on the sphere.
         if (region.caseNumber != 1 && outline.size() > 1)
-            addOnSphere(outline.back(), outline.front(), radius, place, kRegionColour, true);
+            addOnSphere(outline.back(), outline.front(), radius, place, colour, true);
     }
 
     void addCells(const MapSnapshot& map, const MapPlace& place) {
@@ -133,7 +134,8 @@ private:
             addMark(m_marks, m_context, place.world(ray.ray.at(ray.span->from)), kEntryRadius, MarkShape::Ring,
                     m_context.contrast);
         if (ray.hit)
-            addMark(m_marks, m_context, place.world(ray.point), kHitRadius, MarkShape::Dot, kRegionColour);
+            addMark(m_marks, m_context, place.world(ray.point), kHitRadius, MarkShape::Dot,
+                    regionColour(m_context.style.background));
         else
             addMark(m_marks, m_context, place.world(ray.point), kMissRadius, MarkShape::Cross, m_context.contrast);
     }
@@ -145,6 +147,10 @@ private:
 };
 
 }  // namespace
+
+Vec3f sphereColour(const Vec3f& background) { return verdictPalette(background)[size_t(TriangleState::Visible)].colour; }
+
+Vec3f regionColour(const Vec3f& /*background*/) { return {0.86f, 0.08f, 0.08f}; }
 
 std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const std::vector<MapSnapshot>& maps) {
     SphereLines lines(context);

@@ -1,4 +1,4 @@
-#include "core/image/plane_colours.h"
+#include "core/visibility/plane_colours.h"
 
 #include <gtest/gtest.h>
 
