@@ -22,11 +22,10 @@ std::vector<OverlayLines> boxOverlayByPlane(const OverlayContext& context, const
     OverlayLines kept{{}, {kKeptWidth, true}}, rejected{{}, {kRejectedWidth, true}};
     for (const SnapshotNode& node : snapshot.nodes) {
         if (node.isGroup() && !node.tested) continue;
-        const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
         if (node.culled && node.rejectedBy)
             addBox(rejected, node.box, context.planes[size_t(*node.rejectedBy)]);
         else
-            addBox(kept, node.box, context.palette[size_t(state)].colour);
+            addBox(kept, node.box, context.palette[size_t(stateOfNode(node))].colour);
     }
     return {std::move(kept), std::move(rejected)};
 }

@@ -50,6 +50,15 @@ std::vector<OverlayLines> boxesOf(const OverlayContext& context, const BuiltStra
     return {groupOverlay(context, snapshot), boxOverlay(context, snapshot)};
 }
 
+/// In the first entries of a frame: an object that was tested and is neither culled nor drawn is not reached yet.
+void leaveUndecided(StructureSnapshot& snapshot, const Scene& scene, const FrameLog& log) {
+    const std::vector<TriangleState> states = statesOfUnsubmitted(scene, log);
+    for (SnapshotNode& node : snapshot.nodes) {
+        if (node.isGroup() || scene.meshOf(node.instance).triangleCount() == 0) continue;
+        if (states[scene.firstTriangle(node.instance)] == TriangleState::Undecided) node.reached = false;
+    }
+}
+
 }  // namespace
 
 ViewLook::ViewLook() {
@@ -269,7 +278,8 @@ void drawViewOverlays(Renderer& renderer, const Scene& scene, const BuiltStrateg
     // The frustum's planes are coloured where the boxes are; a strategy without boxes has no plane colours.
     bool byPlane = false;
     if (look.has(Show::Kind::Boxes)) {
-        const StructureSnapshot snapshot = strategy.snapshot(log);
+        StructureSnapshot snapshot = strategy.snapshot(log);
+        if (!log.whole) leaveUndecided(snapshot, scene, log);
         byPlane = look.has(Show::Kind::Planes) && !snapshot.nodes.empty();
         drawAll(boxesOf(context, strategy, log, snapshot, byPlane));
     }

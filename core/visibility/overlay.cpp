@@ -47,9 +47,13 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour) {
     addBoxEdges(overlay, corner, colour);
 }
 
+TriangleState stateOfNode(const SnapshotNode& node) {
+    if (node.culled) return stateOfCause(node.cause);
+    return node.reached ? TriangleState::Visible : TriangleState::Undecided;
+}
+
 void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node) {
-    const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
-    addBox(overlay, node.box, context.palette[size_t(state)].colour);
+    addBox(overlay, node.box, context.palette[size_t(stateOfNode(node))].colour);
 }
 
 OverlayLines groupOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {

@@ -47,6 +47,8 @@ void addBoxEdges(OverlayLines& overlay, const Corner& corner, const Vec3f& colou
 /// The twelve edges of a box.
 void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour);
 
+/// What became of a node's objects, as far as one word tells.
+[[nodiscard]] TriangleState stateOfNode(const SnapshotNode& node);
 /// Adds a box in the colour of its verdict.
 void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node);
 

@@ -2408,10 +2408,6 @@
         <translation>가시 영역</translation>
     </message>
     <message>
-        <source>its box</source>
-        <translation>경계 상자</translation>
-    </message>
-    <message>
         <source>corner: hit</source>
         <translation>모서리: 교차</translation>
     </message>
@@ -7556,16 +7552,20 @@
         <translation>눈이 뒤쪽에 있는 평면</translation>
     </message>
     <message>
-        <source>corner rays; boxes of the region</source>
-        <translation>모서리 광선, 영역의 상자</translation>
-    </message>
-    <message>
         <source>S of a contour band</source>
         <translation>등고선 띠의 S</translation>
     </message>
     <message>
-        <source>horizon that the eye sees</source>
-        <translation>눈이 보는 지평선</translation>
+        <source>box of the region</source>
+        <translation>영역의 상자</translation>
+    </message>
+    <message>
+        <source>corner ray</source>
+        <translation>모서리 광선</translation>
+    </message>
+    <message>
+        <source>height of the sight line with a band&apos;s slope</source>
+        <translation>띠의 기울기를 갖는 시선의 높이</translation>
     </message>
 </context>
 <context>

@@ -2408,10 +2408,6 @@
         <translation>可见区域</translation>
     </message>
     <message>
-        <source>its box</source>
-        <translation>其包围盒</translation>
-    </message>
-    <message>
         <source>corner: hit</source>
         <translation>角：命中</translation>
     </message>
@@ -7556,16 +7552,20 @@
         <translation>视点位于其后方的平面</translation>
     </message>
     <message>
-        <source>corner rays; boxes of the region</source>
-        <translation>角光线；区域的方框</translation>
-    </message>
-    <message>
         <source>S of a contour band</source>
         <translation>等高环带的 S</translation>
     </message>
     <message>
-        <source>horizon that the eye sees</source>
-        <translation>视点看到的地平线</translation>
+        <source>box of the region</source>
+        <translation>区域的方框</translation>
+    </message>
+    <message>
+        <source>corner ray</source>
+        <translation>角光线</translation>
+    </message>
+    <message>
+        <source>height of the sight line with a band&apos;s slope</source>
+        <translation>具有环带斜率的视线高度</translation>
     </message>
 </context>
 <context>

@@ -167,6 +167,17 @@ TEST_F(Lecture, linesOfAStrategysOwnAreInTheLegend) {
     EXPECT_TRUE(waitUntil([&] { return !lecture.legend().words().contains(words); })) << "it has no such planes";
 }
 
+TEST_F(Lecture, marksThatThePictureLacksAreNotInTheLegend) {
+    watch("frustum");
+    LectureWindow& lecture = begin();
+    ViewSetup setup = session.setup(0);
+    setup.wipe.mode = Wipe::Mode::Loss;
+    session.setSetup(0, setup);
+    ASSERT_TRUE(waitUntil([&] { return lecture.legend().words().contains(QStringLiteral("missed pixels")); }));
+    ASSERT_TRUE(waitUntil([&] { return drawn(); }));
+    EXPECT_FALSE(lecture.legend().words().contains(QStringLiteral("nearer than the truth"))) << "there are none";
+}
+
 TEST_F(Lecture, rowsOfPlanesAreAsHighAsTheirLetters) {
     watch("frustum");
     LectureWindow& lecture = begin();

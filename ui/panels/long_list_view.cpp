@@ -2,6 +2,7 @@
 
 #include <QHeaderView>
 #include <QPaintEvent>
+#include <QResizeEvent>
 
 namespace cullscope::ui {
 
@@ -32,6 +33,12 @@ void LongListView::expandFirstLevels(int rows) {
 void LongListView::setWholeRows(bool whole) {
     m_wholeRows = whole;
     viewport()->update();
+}
+
+void LongListView::resizeEvent(QResizeEvent* event) {
+    const QRect before = currentIndex().isValid() ? visualRect(currentIndex()) : QRect();
+    QTreeView::resizeEvent(event);
+    if (before.isValid() && before.top() >= 0 && before.top() < event->oldSize().height()) scrollTo(currentIndex());
 }
 
 void LongListView::paintEvent(QPaintEvent* event) {

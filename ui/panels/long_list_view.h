@@ -22,6 +22,8 @@ public:
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    /// The current row stays in view where it was.
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     bool m_wholeRows = false;

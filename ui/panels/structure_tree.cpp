@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::array kWidths{0, 64, 146, 92};  // width of the columns; the name takes the rest of 400 pixels
 constexpr double kUsualLetters = 1.3;          // larger ones, of a lecture, leave room for names and verdicts alone
-constexpr int kIndentation = 12;               // pixels per level, so that the fourth level still has room for names
-constexpr int kFirstRows = 24;                 // rows that are expanded when a tree is first shown
+constexpr double kWiderVerdicts = 1.15;
+constexpr int kIndentation = 12;  // pixels per level, so that the fourth level still has room for names
+constexpr int kFirstRows = 24;    // rows that are expanded when a tree is first shown
 
 }  // namespace
 
@@ -61,8 +62,10 @@ void StructureTree::fitLetters() {
     const double scale = double(QFontInfo(font()).pixelSize()) / QFontInfo(QApplication::font()).pixelSize();
     m_large = scale > kUsualLetters;
     m_view->setWholeRows(m_large);
+    // Names in a lecture are short, and its verdicts must not be.
+    const double share = m_large ? scale * kWiderVerdicts : scale;
     for (int column = StructureModel::Triangles; column < StructureModel::ColumnCount; ++column)
-        m_view->setColumnWidth(column, int(kWidths[size_t(column)] * scale));
+        m_view->setColumnWidth(column, int(kWidths[size_t(column)] * share));
 }
 
 void StructureTree::refresh() {

@@ -19,9 +19,10 @@ constexpr double kMapMargin = 4.0;
 constexpr double kScaleLeading = 2.0;
 constexpr double kScaleWidth = 110.0;
 constexpr double kScaleGap = 5.0;
-constexpr double kBold = 1.2;        // how much wider bold letters are, at most
-constexpr double kEndless = 1e4;     // pixels
-constexpr double kNarrowMap = 0.45;  // of the width: so narrow is a map that its place's height limits
+constexpr double kBold = 1.2;              // how much wider bold letters are, at most
+constexpr QChar kFirstWideLetter(0x1100);  // of Korean; Chinese letters come later
+constexpr double kEndless = 1e4;           // pixels
+constexpr double kNarrowMap = 0.45;        // of the width: so narrow is a map that its place's height limits
 
 double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kScaleLeading; }
 
@@ -49,6 +50,13 @@ QRectF besideMap(QRectF place, const MapLayout& layout, const QFontMetricsF& met
 
 QRectF inner(const QRectF& place) { return place.adjusted(kMapMargin, 0, -kMapMargin, 0); }
 
+/// The width of words in bold letters, by the metrics of plain ones. Korean and Chinese letters are as wide in both.
+double boldAdvance(const QString& words, const QFontMetricsF& metrics) {
+    QString narrow, wide;
+    for (const QChar letter : words) (letter >= kFirstWideLetter ? wide : narrow) += letter;
+    return kBold * metrics.horizontalAdvance(narrow) + metrics.horizontalAdvance(wide);
+}
+
 }  // namespace
 
 double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) const {
@@ -60,7 +68,7 @@ double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) cons
 int MapPainter::captionLines(double width, const QFontMetricsF& metrics) const {
     if (!m_brief) return 2;
     if (contents().shown.empty()) return 1;
-    return kBold * metrics.horizontalAdvance(translated(contents().shown.map->decisionWords)) > width ? 2 : 1;
+    return boldAdvance(translated(contents().shown.map->decisionWords), metrics) > width ? 2 : 1;
 }
 
 double MapPainter::captionHeight(double width, const QFontMetricsF& metrics) const {

@@ -45,6 +45,27 @@ private:
     QColor m_colour;
 };
 
+/// A line in the colour that is explained: a filled square would say that surfaces have it.
+class LineSwatch : public QWidget {
+public:
+    LineSwatch(const QColor& colour, int size, QWidget* parent) : QWidget(parent), m_colour(colour) {
+        setFixedSize(kLineLength * size, size);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const double middle = 0.5 * height();
+        painter.setPen(QPen(m_colour, kLineWidth, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLine(QPointF(0, middle), QPointF(width(), middle));
+    }
+
+private:
+    static constexpr int kLineLength = 2;  // heights of a swatch
+    static constexpr double kLineWidth = 3.0;
+    QColor m_colour;
+};
+
 /// The outline of what a step has in hand.
 class InHandSwatch : public QWidget {
 public:
@@ -111,7 +132,7 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     if (more.bars && !m_session.question()) states.fill(true);
     states[size_t(TriangleState::Undecided)] = false;
     for (const TriangleState state : more.states) states[size_t(state)] = true;
-    bool planes = false, marks = false, differences = false;
+    bool planes = false, marks = false, differences = false, snapped = false, added = false;
     std::vector<ShowMeaning> meanings;
     const bool stepped = std::ranges::any_of(views, [&](int view) { return m_session.stepOf(view) != nullptr; });
     for (const int view : views) {
@@ -126,6 +147,10 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
             if (std::ranges::find(meanings, meaning) == meanings.end()) meanings.push_back(meaning);
         const ViewMetrics& figures = m_session.figures(view);
         const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
+        const ViewPicturePointer& picture = m_session.picture(view);
+        const bool marked = setup.wipe.mode == Wipe::Mode::Loss && picture && picture->request.wipe == Wipe::Mode::Loss;
+        snapped = snapped || (marks && more.bars) || (marked && picture->withinSnapping > 0);
+        added = added || (marks && more.bars) || (marked && picture->added > 0);
         if (!setup.look.has(Show::Kind::Verdicts)) continue;
         for (const Show::Kind kind : {Show::Kind::Verdicts, Show::Kind::Left})
             for (const TriangleState state : commonShow(kind).legend)
@@ -135,11 +160,9 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     std::vector<Entry> entries;
     for (size_t state = 0; state < states.size(); ++state)
         if (states[state]) entries.push_back({translated(triangleStateName(TriangleState(state))), TriangleState(state), {}});
-    if (marks) {
-        entries.push_back({tr("missed pixels"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
-        entries.push_back({tr("within snapping"), {}, snappedPixelColour()});
-        entries.push_back({tr("nearer than the truth"), {}, addedPixelColour()});
-    }
+    if (marks) entries.push_back({tr("missed pixels"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
+    if (snapped) entries.push_back({tr("within snapping"), {}, snappedPixelColour()});
+    if (added) entries.push_back({tr("nearer than the truth"), {}, addedPixelColour()});
     if (differences) entries.push_back({tr("pixels that differ"), {}, verdictColour(TriangleState::WronglyCulled, palette())});
     if (planes)
         for (size_t plane = 0; plane < kFrustumPlaneCount; ++plane)
@@ -147,7 +170,7 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     // A map's line that means the same stands for both.
     for (const ShowMeaning& meaning : meanings)
         if (std::ranges::find(more.lines, translated(meaning.words), &MapLegend::Entry::words) == more.lines.end())
-            entries.push_back({translated(meaning.words), {}, meaningColour(meaning, palette())});
+            entries.push_back({translated(meaning.words), {}, meaningColour(meaning, palette()), {}, false, true});
     if (stepped) entries.push_back({tr("in hand"), {}, {}, {}, true});
     for (const MapLegend::Entry& line : more.lines) entries.push_back({line.words, {}, {}, line.symbol});
     return entries;
@@ -172,6 +195,8 @@ bool LegendStrip::explain(const std::vector<int>& views, int letters, const More
             row->addWidget(new SymbolSwatch(*entry.symbol, font, item));
         else if (entry.inHand)
             row->addWidget(new InHandSwatch(size, item));
+        else if (entry.line)
+            row->addWidget(new LineSwatch(entry.colour, size, item));
         else
             row->addWidget(new LegendSwatch(entry.state, entry.colour, size, item));
         auto* words = new QLabel(entry.words, item);

@@ -38,6 +38,7 @@ private:
         QColor colour{};                     ///< without a state or symbol
         std::optional<MapSymbol> symbol{};   ///< painted as on maps
         bool inHand = false;                 ///< painted as what a step has in hand
+        bool line = false;                   ///< painted as a line in the colour
 
         bool operator==(const Entry&) const = default;
     };

@@ -111,7 +111,7 @@ double contourStep(double width) {
 
 std::vector<MapLegendEntry> regionLegend() {
     return {{MapSymbol::Region, {CULLSCOPE_TR("visible region")}},
-            {MapSymbol::Box, {CULLSCOPE_TR("its box")}},
+            {MapSymbol::Box, {CULLSCOPE_TR("box of the region")}},
             {MapSymbol::Hit, {CULLSCOPE_TR("corner: hit")}},
             {MapSymbol::Miss, {CULLSCOPE_TR("corner: miss, nearest point")}},
             {MapSymbol::Walked, {CULLSCOPE_TR("walked cells")}}};

@@ -43,7 +43,7 @@ Show boxesShow(bool region) {
     show.meanings = {{CULLSCOPE_TR("bounding sphere"), sphereColour}};
     if (region) {
         show.meanings.push_back({CULLSCOPE_TR("visible region"), regionColour});
-        show.meanings.push_back({CULLSCOPE_TR("corner rays; boxes of the region"), contrastTo});
+        show.meanings.push_back({CULLSCOPE_TR("corner ray"), contrastTo});
     }
     return show;
 }
@@ -61,7 +61,7 @@ Show bandsShow() {
     return show;
 }
 
-Show sizesShow() {
+Show sizesShow(bool slopes) {
     Show show;
     show.id = kSizes;
     show.help = "S of the contour bands in one sector, each at the surface that it is measured at";
@@ -70,7 +70,9 @@ Show sizesShow() {
     show.explanation = CULLSCOPE_TR(
         "Show S of each contour band of one sector in the active view: a line from the axis to the surface that it is measured "
         "at, dashed where the band is hidden");
-    show.meanings = {{CULLSCOPE_TR("S of a contour band"), sizeColour}};
+    const char* const size = CULLSCOPE_TR("S of a contour band");
+    const char* const slope = CULLSCOPE_TR("height of the sight line with a band's slope");
+    show.meanings = {{slopes ? slope : size, sizeColour}};
     show.absent = noBands;
     return show;
 }
@@ -93,7 +95,7 @@ Show kernelShow() {
     show.explanation = CULLSCOPE_TR(
         "Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies "
         "behind it is left out by the lossless spherical strategy");
-    show.meanings = {{CULLSCOPE_TR("horizon that the eye sees"), regionColour}};
+    show.meanings = {{CULLSCOPE_TR("horizon of the kernel"), regionColour}};
     show.absent = noCells;
     return show;
 }
@@ -152,8 +154,8 @@ std::string walkLine(const CellWalk& walk) {
 
 }  // namespace
 
-std::vector<Show> showsOfBands() {
-    return {treeShow(), boxesShow(true), bandsShow(), sizesShow(), bandCurveShow(), indexMapShow(false)};
+std::vector<Show> showsOfBands(bool slopes) {
+    return {treeShow(), boxesShow(true), bandsShow(), sizesShow(slopes), bandCurveShow(), indexMapShow(false)};
 }
 std::vector<Show> showsOfCells() { return {treeShow(), boxesShow(false), kernelShow(), indexMapShow(true)}; }
 

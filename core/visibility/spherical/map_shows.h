@@ -7,7 +7,7 @@
 namespace cullscope::spherical {
 
 /// The shows of strategies that decide by cells of maps: spheres with rays, contour bands and their sizes, and the index map.
-[[nodiscard]] std::vector<Show> showsOfBands();
+[[nodiscard]] std::vector<Show> showsOfBands(bool slopes);
 /// The shows of strategies that decide by a quadtree over each map: spheres with cells, the inner kernel, and the index map.
 [[nodiscard]] std::vector<Show> showsOfCells();
 

@@ -68,7 +68,7 @@ public:
         const auto largest =
             std::ranges::max_element(sizes, {}, [](const SizePlace& size) { return size.larger ? 0.0 : size.size; });
         if (largest == sizes.end()) return;
-        addLetter(place.world(largest->foot), place.world(largest->surface));
+        if (!map.decision.bands->slopes) addLetter(place.world(largest->foot), place.world(largest->surface));
         // The level that hides: on from the largest S, as far as the sphere reaches. By S all within 90° is drawn.
         const Vec3& axisToEye = map.decision.bands->axis;
         const double from = glm::dot(largest->surface, axisToEye);

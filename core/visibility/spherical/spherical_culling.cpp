@@ -85,7 +85,7 @@ RegisteredStrategy spherical() {
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
     Show listing = bandsListing();
     listing.chart = flowChart();
-    info.shows = withListing(showsOfBands(), std::move(listing));
+    info.shows = withListing(showsOfBands(false), std::move(listing));
     return {info, std::make_shared<Spherical>(info.id)};
 }
 

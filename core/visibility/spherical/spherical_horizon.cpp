@@ -76,7 +76,7 @@ RegisteredStrategy sphericalHorizon() {
                       {facingParameter(), rowsParameter()}};
     std::ranges::move(bandParameters(3.0, 72), std::back_inserter(info.parameters));
     info.needsEyePoint = true;
-    info.shows = withListing(showsOfBands(), horizonListing());
+    info.shows = withListing(showsOfBands(true), horizonListing());
     return {info, std::make_shared<SphericalHorizon>(info.id)};
 }
 

@@ -88,7 +88,7 @@ TEST(HanHongFigures, fourHasTicksAxesLegendAndTheCaseOfEachMap) {
     const han_hong::Figure figure = made(4, body());
     const std::vector<std::string> words = wordsOf(figure.page);
     EXPECT_EQ(figure.page.pictures.size(), 3u);
-    for (const char* wanted : {"0°", "180°", "360°", "θ", "φ", "visible region", "its box", "corner: hit"})
+    for (const char* wanted : {"0°", "180°", "360°", "θ", "φ", "visible region", "box of the region", "corner: hit"})
         EXPECT_EQ(std::ranges::count(words, wanted), wanted == std::string("0°") || wanted == std::string("180°") ? 6 : 3)
             << wanted;
     for (const char* number : {"Case 1", "Case 2", "Case 3"}) EXPECT_THAT(words, Contains(testing::StartsWith(number)));

@@ -36,6 +36,35 @@ TEST(ViewPicture, everyObjectHasItsBox) {
     EXPECT_LT(culled, 2025u);
 }
 
+TEST(ViewPicture, boxesOfObjectsNotYetDecidedHaveTheirOwnColour) {
+    const ScenePointer scene = field(10);
+    const View culling(inTheField(), {320, 240});
+    Camera camera = above();
+    camera.eye = {0, 40, 1};
+    const View observer(camera, {900, 900});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CullerPointer frustum = makeCuller("frustum");
+    frustum->build(*scene);
+    const Culled frame = frustum->cull(culling, Recording::On);
+    const auto picture = [&](const FrameLog& log, const ViewLook& boxes) {
+        Framebuffer target(observer.viewport());
+        drawViewPicture(GlEnvironment::renderer(), buffers, *frustum->built(), log, observer, nullptr, boxes, kLight, target);
+        return Shown{target.readColour(), target.readDepth(), observer.viewport()};
+    };
+    const auto palette = verdictPalette(kLight.background);
+    // The last test of the whole batch: all objects were tested, and none is drawn yet.
+    size_t tests = 0;
+    while (frame.log.decisions[tests].outcome == Decision::Outcome::Open) ++tests;
+    ASSERT_GT(tests, 20u);
+    for (const ViewLook& boxes : {ViewLook{"boxes"}, ViewLook{"boxes", "planes"}}) {
+        const Shown part = picture(frame.log.upTo(tests), boxes);
+        EXPECT_EQ(part.count(palette[size_t(TriangleState::Visible)].colour), 0u);
+        EXPECT_GT(part.count(palette[size_t(TriangleState::Undecided)].colour), 500u);
+        const Shown whole = picture(frame.log, boxes);
+        EXPECT_GT(whole.count(palette[size_t(TriangleState::Visible)].colour), 500u);
+    }
+}
+
 TEST(ViewPicture, testedGroupsHaveTheirBoxes) {
     const ScenePointer scene = field(20);
     const View culling(inTheField(), {320, 240});
