@@ -134,22 +134,29 @@ QWidget* LegendPanel::makeMeanings() {
     auto* rows = new QVBoxLayout(m_meanings);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(2);
+    m_meanings->hide();
     return m_meanings;
 }
 
 void LegendPanel::showMeanings() {
     const int view = m_session.activeView();
     const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
-    const std::vector<ShowMeaning> meanings =
+    std::vector<ShowMeaning> meanings =
         m_session.opened() ? meaningsOf(m_session.setup(view).look, strategy) : std::vector<ShowMeaning>();
+    // Every picture asks: the rows change with their words alone.
+    QStringList words;
+    for (const ShowMeaning& meaning : meanings) words << translated(meaning.words);
+    if (words == m_meaningWords) return;
+    m_meaningWords = words;
     for (QWidget* former : m_meanings->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) delete former;
-    for (const ShowMeaning& meaning : meanings) {
+    for (ShowMeaning& meaning : meanings) {
+        const QString text = translated(meaning.words);
         auto* row = new QWidget(m_meanings);
         auto* cells = new QHBoxLayout(row);
         cells->setContentsMargins(0, 0, 0, 0);
         cells->setSpacing(6);
-        cells->addWidget(new MeaningSwatch(meaning, row));
-        cells->addWidget(new QLabel(translated(meaning.words), row), 1);
+        cells->addWidget(new MeaningSwatch(std::move(meaning), row));
+        cells->addWidget(new QLabel(text, row), 1);
         m_meanings->layout()->addWidget(row);
     }
     m_meanings->setVisible(!meanings.empty());

@@ -65,6 +65,7 @@ private:
     std::array<QLabel*, kTriangleStateCount> m_words{};
     std::array<QLabel*, kTriangleStateCount> m_counts{};
     QWidget* m_meanings = nullptr;
+    QStringList m_meaningWords;
     PlaneLegend* m_planes;
     QList<QLabel*> m_promises;
     QLabel* m_next;
