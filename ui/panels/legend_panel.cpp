@@ -141,7 +141,7 @@ QWidget* LegendPanel::makeMeanings() {
 void LegendPanel::showMeanings() {
     const int view = m_session.activeView();
     const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
-    std::vector<ShowMeaning> meanings =
+    const std::vector<ShowMeaning> meanings =
         m_session.opened() ? meaningsOf(m_session.setup(view).look, strategy) : std::vector<ShowMeaning>();
     // Every picture asks: the rows change with their words alone.
     QStringList words;
@@ -149,14 +149,13 @@ void LegendPanel::showMeanings() {
     if (words == m_meaningWords) return;
     m_meaningWords = words;
     for (QWidget* former : m_meanings->findChildren<QWidget*>(Qt::FindDirectChildrenOnly)) delete former;
-    for (ShowMeaning& meaning : meanings) {
-        const QString text = translated(meaning.words);
+    for (const ShowMeaning& meaning : meanings) {
         auto* row = new QWidget(m_meanings);
         auto* cells = new QHBoxLayout(row);
         cells->setContentsMargins(0, 0, 0, 0);
         cells->setSpacing(6);
-        cells->addWidget(new MeaningSwatch(std::move(meaning), row));
-        cells->addWidget(new QLabel(text, row), 1);
+        cells->addWidget(new MeaningSwatch(meaning, row));
+        cells->addWidget(new QLabel(translated(meaning.words), row), 1);
         m_meanings->layout()->addWidget(row);
     }
     m_meanings->setVisible(!meanings.empty());
