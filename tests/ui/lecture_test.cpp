@@ -45,6 +45,9 @@ struct Lecture : Lessons {
 
 TEST_F(Lecture, aViewAndItsObserverStandBesideMapAndListing) {
     watch("spherical");
+    const auto coloured = [](StructurePanel& panel) { return panel.map().map().colouring() == "radius"; };
+    window.structurePanel().map().setColouring("radius");
+    ASSERT_TRUE(waitUntil([&] { return coloured(window.structurePanel()); }));
     LectureWindow& lecture = begin();
     EXPECT_TRUE(picture(0).isVisible());
     EXPECT_TRUE(picture(1).isVisible());
@@ -52,6 +55,7 @@ TEST_F(Lecture, aViewAndItsObserverStandBesideMapAndListing) {
     EXPECT_EQ(picture(1).window(), &lecture);
     EXPECT_GT(picture(0).width(), picture(1).width());
     EXPECT_TRUE(lecture.structure().map().isVisible());
+    EXPECT_TRUE(waitUntil([&] { return coloured(lecture.structure()); })) << "as in the window";
     lecture.structure().showPage("listing");
     EXPECT_TRUE(lecture.structure().listing().isVisible());
     // The map has no legend of its own there.

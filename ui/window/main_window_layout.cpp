@@ -85,6 +85,7 @@ void MainWindow::beginLecture() {
     if (m_lecture) return void(m_lecture->close());
     auto* structure = new StructurePanel(m_session, *m_reader);
     structure->showPage(m_structure->page());
+    structure->map().setColouring(m_structure->map().map().colouring());
     m_lecture = new LectureWindow(m_session, *m_views, structure, this);
     connect(m_lecture, &LectureWindow::left, this, [this] {
         m_lecture->deleteLater();
