@@ -47,14 +47,18 @@ struct Lessons : ::testing::Test {
     }
     void go(int step) {
         player().go(step);
+        awaitStep();
+    }
+    /// Until the step in hand is on screen.
+    void awaitStep() {
         ASSERT_TRUE(waitUntil([this] { return onScreen(); }))
-            << player().lesson().title.at("en") << ", step " << step + 1 << (said.empty() ? "" : ": " + said.back());
+            << player().lesson().title.at("en") << ", step " << player().step() + 1 << (said.empty() ? "" : ": " + said.back());
         QApplication::processEvents();
     }
     void begin(const QString& name) {
         player().begin(name);
         ASSERT_TRUE(player().active()) << (said.empty() ? "" : said.back());
-        go(0);
+        awaitStep();
     }
 
     Session session;

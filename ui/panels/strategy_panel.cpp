@@ -70,13 +70,25 @@ private:
     }
 };
 
+/// Its list may be wider than the field that opens it. The width is found as the list opens: it takes the length of every name
+/// for every row, and the panel is filled anew with each change of a view.
+class StrategyChoice : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+    void showPopup() override {
+        view()->setMinimumWidth(view()->sizeHintForColumn(0) + style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+        QComboBox::showPopup();
+    }
+};
+
 }  // namespace
 
 StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
     : QGroupBox(parent),
       m_session(session),
       m_model(new StrategyModel([&session](const StrategyInfo& info) { return session.unavailable(info); }, this)),
-      m_choice(new QComboBox(this)),
+      m_choice(new StrategyChoice(this)),
       m_description(new QLabel(this)),
       m_missed(new QLabel(this)),
       m_form(new ParameterForm(this)) {
@@ -133,9 +145,6 @@ void StrategyPanel::refresh() {
     m_choice->setCurrentIndex(m_model->rowOf(slot.id()));
     m_choice->setAccessibleName(tr("Strategy"));
     m_choice->setToolTip(translated(info.description));
-    // The list may be wider than the field that opens it.
-    const int bar = m_choice->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
-    m_choice->view()->setMinimumWidth(m_choice->view()->sizeHintForColumn(0) + bar);
     QString grey = palette().color(QPalette::Disabled, QPalette::WindowText).name();
     m_description->setText(
         QStringLiteral("%1 <span style='color:%2'>%3</span>")
