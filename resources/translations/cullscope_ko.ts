@@ -7567,6 +7567,10 @@
         <source>height of the sight line with a band&apos;s slope</source>
         <translation>띠의 기울기를 갖는 시선의 높이</translation>
     </message>
+    <message>
+        <source>Kept as camera %1. Alt+%1 goes back to it.</source>
+        <translation>카메라 %1번으로 보관했습니다. Alt+%1로 돌아갑니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7567,6 +7567,10 @@
         <source>height of the sight line with a band&apos;s slope</source>
         <translation>具有环带斜率的视线高度</translation>
     </message>
+    <message>
+        <source>Kept as camera %1. Alt+%1 goes back to it.</source>
+        <translation>已保存为相机 %1。按 Alt+%1 返回。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

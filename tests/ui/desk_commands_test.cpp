@@ -121,7 +121,11 @@ TEST_F(Window, theDistanceBetweenTwoPicksIsSaid) {
 TEST_F(Window, camerasAreKeptByName) {
     QMenu& menu = *window.actions().bookmarks;
     ASSERT_TRUE(actionOf(menu.actions(), QStringLiteral("Keep as camera 2")));
+    std::string said;
+    QObject::connect(&session, &Session::messageRaised, &menu,
+                     [&](Severity, const Message& message) { said = message.english(); });
     actionOf(menu.actions(), QStringLiteral("Keep as camera 2"))->trigger();
+    EXPECT_EQ(said, "Kept as camera 2. Alt+2 goes back to it.");
     const Camera kept = session.camera();
     ASSERT_TRUE(waitUntil([&] { return actionOf(menu.actions(), QStringLiteral("Go to camera 2"))->isEnabled(); }));
     QTimer::singleShot(0, &window, [] {

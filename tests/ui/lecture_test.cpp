@@ -5,7 +5,7 @@
 #include <QHeaderView>
 #include <QTemporaryDir>
 
-#include "tests/ui/lesson_window.h"
+#include "tests/ui/lecture.h"
 #include "ui/panels/plane_table.h"
 #include "ui/session/object_pick.h"
 
@@ -13,35 +13,6 @@ namespace cullscope::ui::lecture_test {
 namespace {
 
 using ::testing::HasSubstr;
-
-struct Lecture : Lessons {
-    void SetUp() override {
-        Lessons::SetUp();
-        openAndWait(session, QStringLiteral("torus:triangles=2000"));
-    }
-    /// View A by a strategy, and view B that watches it.
-    void watch(const char* strategy) {
-        session.slot(0).choose(strategy);
-        session.observe(1, 0);
-        ViewSetup setup = session.setup(1);
-        setup.look.watch();
-        session.setSetup(1, setup);
-        session.setActiveView(0);
-    }
-    LectureWindow& begin() {
-        window.actions().lecture->trigger();
-        window.lecture()->showNormal();
-        window.lecture()->resize(1280, 720);
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(window.lecture(), kPatience));
-        EXPECT_TRUE(waitUntil([&] { return drawn(); }));
-        return *window.lecture();
-    }
-    bool drawn() {
-        for (const int view : session.shownViews())
-            if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
-        return session.buffers() && !session.pictures()->busy();
-    }
-};
 
 TEST_F(Lecture, aViewAndItsObserverStandBesideMapAndListing) {
     watch("spherical");
@@ -102,18 +73,6 @@ TEST_F(Lecture, signsOverPicturesGrowWithTheScreen) {
     for (const int view : {0, 1}) EXPECT_EQ(session.viewRequest(view)->style.unit, 1.0F) << view;
 }
 
-TEST_F(Lecture, legendNamesTheColourOfWhatAStepHasInHand) {
-    watch("frustum");
-    LectureWindow& lecture = begin();
-    const auto named = [&] { return lecture.legend().words().contains(QStringLiteral("in hand")); };
-    EXPECT_FALSE(named());
-    window.actions().stepThrough->trigger();
-    ASSERT_TRUE(waitUntil([&] { return window.stepper().place() != nullptr; }));
-    EXPECT_TRUE(waitUntil(named));
-    window.actions().stepThrough->trigger();
-    EXPECT_TRUE(waitUntil([&] { return !named(); }));
-}
-
 TEST_F(Lecture, keysOfTheWindowWorkInIt) {
     watch("spherical");
     begin();
@@ -156,30 +115,6 @@ TEST_F(Lecture, aPickAmongSeveralViewsIsAnsweredBesideThem) {
     EXPECT_LT(picture(0).width(), width) << "the views make room";
     session.setPick(std::nullopt);
     EXPECT_TRUE(waitUntil([&] { return !lecture.structure().isVisible(); })) << "nothing is picked any more";
-}
-
-TEST_F(Lecture, linesOfAStrategysOwnAreInTheLegend) {
-    watch("bsp");
-    LectureWindow& lecture = begin();
-    const QString words = QStringLiteral("plane that the eye is before");
-    EXPECT_FALSE(lecture.legend().words().contains(words));
-    ViewSetup setup = session.setup(1);
-    setup.look.show("bsp-planes", true);
-    session.setSetup(1, setup);
-    EXPECT_TRUE(waitUntil([&] { return lecture.legend().words().contains(words); }));
-    session.slot(0).choose("spherical");
-    EXPECT_TRUE(waitUntil([&] { return !lecture.legend().words().contains(words); })) << "it has no such planes";
-}
-
-TEST_F(Lecture, marksThatThePictureLacksAreNotInTheLegend) {
-    watch("frustum");
-    LectureWindow& lecture = begin();
-    ViewSetup setup = session.setup(0);
-    setup.wipe.mode = Wipe::Mode::Loss;
-    session.setSetup(0, setup);
-    ASSERT_TRUE(waitUntil([&] { return lecture.legend().words().contains(QStringLiteral("missed pixels")); }));
-    ASSERT_TRUE(waitUntil([&] { return drawn(); }));
-    EXPECT_FALSE(lecture.legend().words().contains(QStringLiteral("nearer than the truth"))) << "there are none";
 }
 
 TEST_F(Lecture, rowsOfPlanesAreAsHighAsTheirLetters) {

@@ -113,6 +113,9 @@ TEST_F(SmallFeatureSteps, outlineIsToldApartInTheObserverWithALegend) {
     EXPECT_NE(pixelsAlone(session.picture(1)->colour), before);
     EXPECT_FALSE(window.legend().meanings().isHidden());
     EXPECT_EQ(window.legend().meanings().findChild<QLabel*>()->text(), QStringLiteral("outline: always kept"));
+    session.setActiveView(0);
+    settleAll();
+    EXPECT_FALSE(window.legend().meanings().isHidden()) << "the observer's picture stays in sight";
     session.slot(0).choose("frustum");
     settleAll();
     EXPECT_TRUE(window.legend().meanings().isHidden()) << "it keeps no outline";

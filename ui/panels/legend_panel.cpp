@@ -7,12 +7,11 @@
 #include <QVBoxLayout>
 #include <set>
 
-#include "core/image/view_picture.h"
-#include "core/visibility/registry.h"
 #include "ui/look/meaning_colour.h"
 #include "ui/look/promise_marker.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/models/metrics_words.h"
+#include "ui/panels/shown_strategy.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -139,10 +138,8 @@ QWidget* LegendPanel::makeMeanings() {
 }
 
 void LegendPanel::showMeanings() {
-    const int view = m_session.activeView();
-    const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
     const std::vector<ShowMeaning> meanings =
-        m_session.opened() ? meaningsOf(m_session.setup(view).look, strategy) : std::vector<ShowMeaning>();
+        m_session.opened() ? meaningsIn(m_session, m_session.shownViews()) : std::vector<ShowMeaning>();
     // Every picture asks: the rows change with their words alone.
     QStringList words;
     for (const ShowMeaning& meaning : meanings) words << translated(meaning.words);

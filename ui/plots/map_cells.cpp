@@ -92,6 +92,15 @@ QList<QRgb> toneColours(bool states, const QPalette& palette) {
     return colours;
 }
 
+void paintTones(QPainter& painter, const QRectF& bar, bool states, const QPalette& palette) {
+    const QList<QRgb> colours = toneColours(states, palette);
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int kStops = 16;
+    for (int stop = 0; stop <= kStops; ++stop)
+        gradient.setColorAt(double(stop) / kStops, QColor(colours[1 + stop * qsizetype(CellTones::kTones - 2) / kStops]));
+    painter.fillRect(bar, gradient);
+}
+
 QImage cellImage(const std::vector<uint8_t>& tones, const SphericalGrid& grid, const QSize& size, const QList<QRgb>& colours) {
     QImage image(size, QImage::Format_Indexed8);
     image.setColorTable(colours);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPainter>
 #include <QPalette>
 #include <memory>
 #include <vector>
@@ -31,6 +32,8 @@ struct CellTones {
 
 /// One colour per tone; empty cells have the palette's base colour.
 [[nodiscard]] QList<QRgb> toneColours(bool states, const QPalette& palette);
+/// Paints a bar of the tones 1 to 255 from left to right.
+void paintTones(QPainter& painter, const QRectF& bar, bool states, const QPalette& palette);
 
 /// An image of the map, `size` in pixels. If several cells share a pixel, it shows their largest tone, so that no cell of that
 /// tone disappears.

@@ -252,7 +252,6 @@ void MapPainter::paintAxes(QPainter& painter, const MapLayout& layout, const Map
 
 void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalette& palette) const {
     const QFontMetricsF metrics(painter.font());
-    const QList<QRgb> colours = toneColours(m_cells.byState(), palette);
     const QString least = translated(m_cells.tones().least), most = translated(m_cells.tones().most);
     QPointF at = place.topLeft();
     const auto say = [&](const QString& words) {
@@ -262,15 +261,15 @@ void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalet
     };
     say(least);
     const QRectF bar(at, QSizeF(kScaleWidth, metrics.height() - 2.0));
-    QLinearGradient gradient(bar.topLeft(), bar.topRight());
-    constexpr int kStops = 16;
-    for (int stop = 0; stop <= kStops; ++stop)
-        gradient.setColorAt(double(stop) / kStops, QColor(colours[1 + stop * qsizetype(CellTones::kTones - 2) / kStops]));
-    painter.fillRect(bar, gradient);
+    paintTones(painter, bar, m_cells.byState(), palette);
     at.rx() += kScaleWidth + kScaleGap;
     say(most);
     at.rx() += kScaleGap;
-    if (m_cells.colouring()) say(translated(m_cells.colouring()->scale));
+    say(scaleWords());
+}
+
+QString MapPainter::scaleWords() const {
+    return m_cells.colouring() && !m_cells.byState() ? translated(m_cells.colouring()->scale) : QString();
 }
 
 }  // namespace cullscope::ui

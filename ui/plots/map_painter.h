@@ -31,6 +31,8 @@ public:
     /// What a brief map leaves to another legend: the lines and marks that it has, and the states whose colours it has.
     [[nodiscard]] std::vector<MapLegend::Entry> lines() const;
     [[nodiscard]] std::vector<TriangleState> states() const;
+    /// The meaning of its tones, with the unit; empty where the cells have the colours of states.
+    [[nodiscard]] QString scaleWords() const;
 
     /// The colour of a cell from the middle of the scale under the veil, as the legend shows it.
     [[nodiscard]] QColor veiledColour(const QPalette& palette) const;

@@ -23,6 +23,7 @@ public:
     /// What a brief map leaves to another legend; none while there is no map.
     [[nodiscard]] std::vector<MapLegend::Entry> lines() const;
     [[nodiscard]] std::vector<TriangleState> states() const;
+    [[nodiscard]] QString scaleWords() const { return empty() ? QString() : m_painter.scaleWords(); }
     /// The id of the shown colouring; empty: there is none.
     [[nodiscard]] std::string colouring() const { return m_painter.colouring(); }
     /// The cell of the keyboard cursor; none: it was not moved yet.

@@ -142,13 +142,19 @@ void DocumentCommands::fillBookmarks() {
     }
     menu.addSeparator();
     for (int place = 0; place < CameraBookmarks::kCount; ++place) {
-        QAction* store =
-            menu.addAction(tr("Keep as camera %1").arg(place + 1), this, [this, place] { m_bookmarks.store(place, m_session); });
+        QAction* store = menu.addAction(tr("Keep as camera %1").arg(place + 1), this, [this, place] { keepBookmark(place); });
         store->setShortcut(QKeySequence(int(Qt::ALT) | int(Qt::SHIFT) | (Qt::Key_1 + place)));
         store->setEnabled(m_session.opened() != nullptr);
     }
     menu.addSeparator();
     menu.addMenu(names);
+}
+
+void DocumentCommands::keepBookmark(int place) {
+    m_bookmarks.store(place, m_session);
+    // The keys of it change nothing in sight.
+    const std::string number = std::to_string(place + 1);
+    m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Kept as camera %1. Alt+%1 goes back to it."), {number}});
 }
 
 void DocumentCommands::nameBookmark(int place) {

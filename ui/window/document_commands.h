@@ -34,6 +34,7 @@ private:
     void wire();
     void fillRecent();
     void fillBookmarks();
+    void keepBookmark(int place);
     void nameBookmark(int place);
     void showUndo();
     void save(bool askWhere);

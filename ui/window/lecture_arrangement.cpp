@@ -107,6 +107,8 @@ LegendStrip::More LectureWindow::moreToExplain() const {
         for (const MapLegend::Entry& line : panel.map().lines())
             if (std::ranges::none_of(more.lines, [&](const MapLegend::Entry& other) { return other.words == line.words; }))
                 more.lines.push_back(line);
+        const QString scale = panel.map().scaleWords();
+        if (!scale.isEmpty() && !more.scales.contains(scale)) more.scales << scale;
     };
     if (showsStructure()) {
         more.states = m_structure->statesOfCurve();

@@ -11,6 +11,8 @@
 #include "ui/look/meaning_colour.h"
 #include "ui/look/plane_swatch.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/panels/shown_strategy.h"
+#include "ui/plots/map_cells.h"
 #include "ui/statistics/flow_layout.h"
 #include "ui/text/translated.h"
 
@@ -64,6 +66,18 @@ private:
     static constexpr int kLineLength = 2;  // heights of a swatch
     static constexpr double kLineWidth = 3.0;
     QColor m_colour;
+};
+
+/// The tones of a map's cells, from least to most.
+class TonesSwatch : public QWidget {
+public:
+    TonesSwatch(int size, QWidget* parent) : QWidget(parent) { setFixedSize(3 * size, size); }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        paintTones(painter, QRectF(rect()).adjusted(1, 1, -1, -1), false, palette());
+    }
 };
 
 /// The outline of what a step has in hand.
@@ -133,7 +147,6 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
     states[size_t(TriangleState::Undecided)] = false;
     for (const TriangleState state : more.states) states[size_t(state)] = true;
     bool planes = false, marks = false, differences = false, snapped = false, added = false;
-    std::vector<ShowMeaning> meanings;
     const bool stepped = std::ranges::any_of(views, [&](int view) { return m_session.stepOf(view) != nullptr; });
     for (const int view : views) {
         const ViewSetup& setup = m_session.setup(view);
@@ -143,8 +156,6 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
         planes = planes || (setup.look.has(Show::Kind::Planes) && setup.look.has(Show::Kind::Boxes));
         const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
         for (const TriangleState state : statesOfLines(setup.look, strategy)) states[size_t(state)] = true;
-        for (const ShowMeaning& meaning : meaningsOf(setup.look, strategy))
-            if (std::ranges::find(meanings, meaning) == meanings.end()) meanings.push_back(meaning);
         const ViewMetrics& figures = m_session.figures(view);
         const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
         const ViewPicturePointer& picture = m_session.picture(view);
@@ -168,11 +179,12 @@ std::vector<LegendStrip::Entry> LegendStrip::entriesOf(const std::vector<int>& v
         for (size_t plane = 0; plane < kFrustumPlaneCount; ++plane)
             entries.push_back({translated(planeName(FrustumPlane(plane))), {}, planeColour(FrustumPlane(plane), palette())});
     // A map's line that means the same stands for both.
-    for (const ShowMeaning& meaning : meanings)
+    for (const ShowMeaning& meaning : m_session.question() ? std::vector<ShowMeaning>() : meaningsIn(m_session, views))
         if (std::ranges::find(more.lines, translated(meaning.words), &MapLegend::Entry::words) == more.lines.end())
             entries.push_back({translated(meaning.words), {}, meaningColour(meaning, palette()), {}, false, true});
     if (stepped) entries.push_back({tr("in hand"), {}, {}, {}, true});
     for (const MapLegend::Entry& line : more.lines) entries.push_back({line.words, {}, {}, line.symbol});
+    for (const QString& scale : more.scales) entries.push_back({scale, {}, {}, {}, false, false, true});
     return entries;
 }
 
@@ -195,6 +207,8 @@ bool LegendStrip::explain(const std::vector<int>& views, int letters, const More
             row->addWidget(new SymbolSwatch(*entry.symbol, font, item));
         else if (entry.inHand)
             row->addWidget(new InHandSwatch(size, item));
+        else if (entry.tones)
+            row->addWidget(new TonesSwatch(size, item));
         else if (entry.line)
             row->addWidget(new LineSwatch(entry.colour, size, item));
         else

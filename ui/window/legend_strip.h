@@ -20,6 +20,7 @@ public:
         bool bars = false;                      ///< the bars below pictures
         std::vector<TriangleState> states{};    ///< of a map's cells or a curve's areas
         std::vector<MapLegend::Entry> lines{};  ///< of maps
+        QStringList scales{};                   ///< what the tones of maps mean
     };
     /// Explains the colours of these views in letters of so many pixels, and more. Returns whether anything is new.
     bool explain(const std::vector<int>& views, int letters, const More& more);
@@ -39,6 +40,7 @@ private:
         std::optional<MapSymbol> symbol{};   ///< painted as on maps
         bool inHand = false;                 ///< painted as what a step has in hand
         bool line = false;                   ///< painted as a line in the colour
+        bool tones = false;                  ///< painted as the tones of a map
 
         bool operator==(const Entry&) const = default;
     };
