@@ -33,6 +33,7 @@ void addPathCommand(CLI::App& app, Context& context);
 void addReproduceCommand(CLI::App& app, Context& context);
 void addSweepCommand(CLI::App& app, Context& context);
 void addStabilityCommand(CLI::App& app, Context& context);
+void addSelfTestCommand(CLI::App& app, Context& context);
 void addSuiteCommand(CLI::App& app, Context& context);
 void addJudgeCommand(CLI::App& app, Context& context);
 void addCertifyCommand(CLI::App& app, Context& context);

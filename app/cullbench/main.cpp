@@ -97,6 +97,7 @@ int run(int argc, char** argv) {
     addReproduceCommand(app, context);
     addSweepCommand(app, context);
     addStabilityCommand(app, context);
+    addSelfTestCommand(app, context);
     addSuiteCommand(app, context);
     addJudgeCommand(app, context);
     addCertifyCommand(app, context);

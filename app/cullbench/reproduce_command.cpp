@@ -198,8 +198,8 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     auto options = std::make_shared<CommandOptions>();
     command->add_option("EXPERIMENT", options->experiment, "one of `cullbench list experiments`, or all")->required();
     command->add_option("SCENE", options->scene,
-                        "a scene of yours in place of the experiment's own: quiz, example and "
-                        "plant-losses take one");
+                        "a scene of yours in place of the experiment's own: quiz, example, "
+                        "plant-losses and occlusion-growth take one");
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));
     command->add_option("--json", options->files.json, "result file; - is standard output");

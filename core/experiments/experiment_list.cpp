@@ -9,6 +9,7 @@
 #include "core/experiments/han_hong_views.h"
 #include "core/experiments/lecture_quiz.h"
 #include "core/experiments/lecture_table.h"
+#include "core/experiments/occlusion_growth.h"
 #include "core/experiments/plant_figures.h"
 
 namespace cullscope {
@@ -25,6 +26,7 @@ const std::vector<Experiment>& knownExperiments() {
         for (Experiment& question : lectureQuestions()) experiments.push_back(std::move(question));
         experiments.push_back(bspPlanes());
         for (Experiment& plants : plantFigures()) experiments.push_back(std::move(plants));
+        for (Experiment& growth : occlusionGrowth()) experiments.push_back(std::move(growth));
         return experiments;
     }();
     return kExperiments;

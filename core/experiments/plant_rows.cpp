@@ -16,14 +16,6 @@ using Origin = ResultColumn::Origin;
 /// The paper's frames are at least so many times as many as by triangle, its conclusion says.
 constexpr double kPaperRatio = 3.0;
 
-/// The mean over a run's views.
-template <typename Value>
-double meanOf(const RunMeasurement& run, const Value& value) {
-    double sum = 0.0;
-    for (const FrameMeasurement& frame : run.frames) sum += value(frame);
-    return sum / double(run.frames.size());
-}
-
 /// The sum of a figure over a run's views; none where the strategy does not count it.
 std::optional<double> figureOf(const RunMeasurement& run, std::string_view name) {
     std::optional<double> sum;
@@ -50,21 +42,15 @@ void addStages(Row& cells, const RunMeasurement& run) {
             return std::ranges::find(column.stages, stage.name) != column.stages.end();
         });
         if (!known) continue;
-        cells[column.key] = meanOf(run, [&](const FrameMeasurement& frame) {
+        cells[column.key] = meanOfFrames(run, [&](const FrameMeasurement& frame) {
             double sum = 0.0;
             for (const Stage& stage : frame.stages)
                 if (std::ranges::find(column.stages, stage.name) != column.stages.end()) sum += stage.milliseconds;
             return sum;
         });
     }
-    cells["cull_ms"] = meanOf(run, [](const FrameMeasurement& frame) { return frame.cullMilliseconds; });
     cells["draw_ms"] =
-        meanOf(run, [](const FrameMeasurement& frame) { return frame.frameMilliseconds - frame.cullMilliseconds; });
-    cells["frame_ms"] = meanOf(run, [](const FrameMeasurement& frame) { return frame.frameMilliseconds; });
-}
-
-void addRatio(Row& cells, const char* key, const RunMeasurement* baseline, const RunMeasurement& run) {
-    if (baseline != nullptr && baseline->frames.size() == run.frames.size()) cells[key] = ratioOver(baseline->frames, run.frames);
+        meanOfFrames(run, [](const FrameMeasurement& frame) { return frame.frameMilliseconds - frame.cullMilliseconds; });
 }
 
 }  // namespace
@@ -82,12 +68,6 @@ CameraPath partsOfWalk(const Scene& scene, int views, const Viewport& size) {
     for (size_t i = 1; i < path.poses.size(); i += 2) middles.push_back(path.poses[i]);
     path.poses = std::move(middles);
     return path;
-}
-
-const RunMeasurement* runOf(const MeasureResult& result, std::string_view strategy) {
-    for (const RunMeasurement& run : result.runs)
-        if (!run.frames.empty() && strategyText(run.strategy) == strategy) return &run;
-    return nullptr;
 }
 
 Row runCells(const Setting& setting, const MeasureResult& result, const RunMeasurement& run) {
@@ -153,15 +133,6 @@ Setting commonSetting(const PlantFiguresSize& size) {
 
 Check boundCheck() {
     return everyRowCheck("pixels missed beyond what small-feature-bounded states", {}, "beyond_stated", {.most = 0.0});
-}
-
-RowPlot linesOf(LinePlot plot, const char* x, const char* y, const char* lines) {
-    RowPlot described{std::move(plot)};
-    described.x = x;
-    described.y = {{y}};
-    described.lines = {lines};
-    described.byX = true;
-    return described;
 }
 
 }  // namespace cullscope::plants

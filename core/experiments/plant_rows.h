@@ -23,8 +23,6 @@ inline const Angle kField = Angle::fromDegrees(30.0);
 /// Views in the middles of as many equal parts of the walk: however many there are, their mean stands for the whole walk.
 [[nodiscard]] CameraPath partsOfWalk(const Scene& scene, int views, const Viewport& size);
 
-/// The run of a strategy, by its strategyText; null where it has no frames.
-[[nodiscard]] const RunMeasurement* runOf(const MeasureResult& result, std::string_view strategy);
 /// The cells of plantColumns but for those of the plant.
 [[nodiscard]] Row runCells(const Setting& setting, const MeasureResult& result, const RunMeasurement& run);
 /// The columns of the axes, and all that may be measured.
@@ -35,8 +33,6 @@ inline const Angle kField = Angle::fromDegrees(30.0);
 [[nodiscard]] Setting commonSetting(const PlantFiguresSize& size);
 /// That small-feature-bounded missed no more pixels than it states.
 [[nodiscard]] Check boundCheck();
-/// A plot of a column over another one, with a line for each value of `lines`.
-[[nodiscard]] RowPlot linesOf(LinePlot plot, const char* x, const char* y, const char* lines);
 
 /// "plant-losses".
 [[nodiscard]] Experiment lossCurve(const PlantFiguresSize& size);

@@ -190,6 +190,15 @@ std::vector<PlotPoint> pointsOf(const ResultTable& table, const RowPoints& which
     return points;
 }
 
+RowPlot linesOf(LinePlot plot, const char* x, const char* y, const char* lines) {
+    RowPlot described{std::move(plot)};
+    described.x = x;
+    described.y = {{y}};
+    described.lines = {lines};
+    described.byX = true;
+    return described;
+}
+
 std::vector<LinePlot> plotsOf(const RowPlot& described, const ResultTable& table) {
     std::vector<LinePlot> plots;
     for (const RowWords& separate : differentWords(table, described.rows, described.separate))

@@ -53,6 +53,9 @@ struct RowPlot {
     [[nodiscard]] bool ofFrames() const { return y.empty(); }
 };
 
+/// A plot of a column over another one, with a line for each value of `lines`, in the order of x.
+[[nodiscard]] RowPlot linesOf(LinePlot plot, const char* x, const char* y, const char* lines);
+
 /// The plots of the table's rows; one without lines where there are no rows yet.
 [[nodiscard]] std::vector<LinePlot> plotsOf(const RowPlot& described, const ResultTable& table);
 

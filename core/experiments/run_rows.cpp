@@ -20,6 +20,16 @@ void addLosses(Row& cells, const RunMeasurement& run) {
 
 }  // namespace
 
+const RunMeasurement* runOf(const MeasureResult& result, std::string_view strategy) {
+    for (const RunMeasurement& run : result.runs)
+        if (!run.frames.empty() && strategyText(run.strategy) == strategy) return &run;
+    return nullptr;
+}
+
+void addRatio(Row& cells, const char* key, const RunMeasurement* baseline, const RunMeasurement& run) {
+    if (baseline != nullptr && baseline->frames.size() == run.frames.size()) cells[key] = ratioOver(baseline->frames, run.frames);
+}
+
 Row rowCells(const Setting& setting, const RunMeasurement& run) {
     Row cells = setting.labels;
     const std::string strategy = strategyText(run.strategy);
@@ -41,6 +51,8 @@ Row rowCells(const Setting& setting, const RunMeasurement& run) {
     cells["speedup_vs_all"] = summary.speedupVsTriangles;
     cells["culled_fraction"] = summary.culledFraction;
     cells["cull_share"] = summary.cullShare;
+    cells["cull_ms"] = meanOfFrames(run, [](const FrameMeasurement& frame) { return frame.cullMilliseconds; });
+    cells["frame_ms"] = meanOfFrames(run, [](const FrameMeasurement& frame) { return frame.frameMilliseconds; });
     cells["build_ms"] = run.structure.buildMilliseconds;
     cells["structure_bytes"] = double(run.structure.bytes);
     addLosses(cells, run);

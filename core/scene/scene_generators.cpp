@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
+#include "core/scene/courts_scene.h"
 #include "core/scene/generator_memory.h"
 #include "core/scene/layers_scene.h"
 #include "core/scene/plant/plant_scene.h"
@@ -122,6 +123,24 @@ OpenedScene openField(GeneratorRequest& request) {
             request.specification, std::move(one.report)};
 }
 
+Courts courtsOf(GeneratorArguments& arguments) {
+    Courts courts;
+    courts.n = arguments.count("n", double(courts.n), kMostCourts);
+    courts.walls = arguments.number("walls", courts.walls, 0.0, 1e3);
+    return courts;
+}
+
+OpenedScene openCourts(GeneratorRequest& request) {
+    const Courts courts = courtsOf(request.arguments);
+    OpenedScene opened = openScene(request.arguments.text("mesh", "plant"), request.options, request.progress.part(0.0, 0.8));
+    requireGeneratorMemory(request.info.id,
+                           double(objectsOfACourt(*opened.scene, courts)) * double(courts.n * courts.n) * kBytesOfInstance,
+                           request.options.load);
+    opened.scene = courtsScene(request.specification, *opened.scene, courts, request.progress.part(0.8, 1.0));
+    opened.specification = request.specification;
+    return opened;
+}
+
 SplitRule splitRule(GeneratorArguments& arguments) {
     SplitRule rule;
     const std::string by = arguments.text("by", "components");
@@ -206,6 +225,18 @@ SceneEstimate estimateField(GeneratorRequest& request) {
     return {one.triangles, n * n, one.bytes + n * n * kBytesOfInstance};
 }
 
+SceneEstimate estimateCourts(GeneratorRequest& request) {
+    SceneEstimate one = estimateMesh(request.arguments.text("mesh", "plant"), request.options);
+    const Courts courts = courtsOf(request.arguments);
+    const double count = double(courts.n) * double(courts.n);
+    if (courts.walls > 0.0) {
+        one.objects += double(kWallsOfACourt);
+        if (one.triangles) *one.triangles += double(kWallsOfACourt * kTrianglesOfAWall);
+    }
+    if (one.triangles) *one.triangles *= count;
+    return {one.triangles, one.objects * count, one.bytes + one.objects * count * kBytesOfInstance};
+}
+
 SceneEstimate estimateLayers(GeneratorRequest& request) {
     const Layers usual;
     const double count = double(request.arguments.count("count", double(usual.count), 100'000));
@@ -266,6 +297,13 @@ const std::vector<Generator>& sceneGeneratorTable() {
            {"spacing", "2.5", CULLSCOPE_TR("distance between neighbours")}}},
          openField,
          estimateField},
+        {{"courts",
+          CULLSCOPE_TR("n by n copies of a scene, each behind walls of its own: who stands in one sees no other"),
+          {{"mesh", "plant", CULLSCOPE_TR("mesh file, or a generator with its own parameters")},
+           {"n", "4", CULLSCOPE_TR("courts along each side")},
+           {"walls", "1.1", CULLSCOPE_TR("height of the walls, as a share of the scene's; 0: there are none")}}},
+         openCourts,
+         estimateCourts},
         {{"layers",
           CULLSCOPE_TR("sheets one behind the other, each an object: seen from the front, the first one hides the others"),
           {{"count", "32", CULLSCOPE_TR("how many layers")},

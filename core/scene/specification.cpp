@@ -1,7 +1,10 @@
 #include "core/scene/specification.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
+#include <optional>
 #include <set>
 
 #include "core/base/error.h"

@@ -7571,6 +7571,62 @@
         <source>Kept as camera %1. Alt+%1 goes back to it.</source>
         <translation>카메라 %1번으로 보관했습니다. Alt+%1로 돌아갑니다.</translation>
     </message>
+    <message>
+        <source>objects</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>triangles drawn a view</source>
+        <translation>뷰마다 그린 삼각형</translation>
+    </message>
+    <message>
+        <source>copies</source>
+        <translation>복사본</translation>
+    </message>
+    <message>
+        <source>triangles of the scene</source>
+        <translation>장면의 삼각형</translation>
+    </message>
+    <message>
+        <source>Frame time by the size of the scene</source>
+        <translation>장면 크기에 따른 프레임 시간</translation>
+    </message>
+    <message>
+        <source>Triangles drawn by the size of the scene</source>
+        <translation>장면 크기에 따라 그린 삼각형</translation>
+    </message>
+    <message>
+        <source>Frame time in one of ever more courts</source>
+        <translation>점점 많아지는 마당 가운데 하나의 프레임 시간</translation>
+    </message>
+    <message>
+        <source>Each court is a copy of the scene behind walls of its own. All views are of one court, the same for all sizes: what is visible stays the same, while the frustum has more and more in it.</source>
+        <translation>마당마다 자기 담장 안에 장면의 복사본이 있습니다. 모든 뷰는 한 마당의 것이며 크기와 상관없이 같습니다. 보이는 것은 그대로인데 절두체 안에 드는 것은 점점 많아집니다.</translation>
+    </message>
+    <message>
+        <source>An exponent of 1 means that the time grows as the scene does, 0 that it does not grow.</source>
+        <translation>지수 1은 시간이 장면만큼 늘어남을, 0은 늘지 않음을 뜻합니다.</translation>
+    </message>
+    <message>
+        <source>Frame time in a field of ever more objects</source>
+        <translation>점점 많아지는 물체 들판의 프레임 시간</translation>
+    </message>
+    <message>
+        <source>This OpenGL is %1, which draws on the processor. Leave out --gpu for sizes that suit it, or run this where a graphics card draws.</source>
+        <translation>이 OpenGL은 프로세서로 그리는 %1입니다. --gpu를 빼면 그에 맞는 크기를 쓰고, 아니면 그래픽 카드가 그리는 곳에서 실행하십시오.</translation>
+    </message>
+    <message>
+        <source>n by n copies of a scene, each behind walls of its own: who stands in one sees no other</source>
+        <translation>장면의 복사본 n × n개, 각각 자기 담장 안: 한 마당에서는 다른 마당이 보이지 않습니다</translation>
+    </message>
+    <message>
+        <source>courts along each side</source>
+        <translation>한 변의 마당 수</translation>
+    </message>
+    <message>
+        <source>height of the walls, as a share of the scene&apos;s; 0: there are none</source>
+        <translation>장면 높이에 대한 담장 높이의 비율, 0: 담장 없음</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7571,6 +7571,62 @@
         <source>Kept as camera %1. Alt+%1 goes back to it.</source>
         <translation>已保存为相机 %1。按 Alt+%1 返回。</translation>
     </message>
+    <message>
+        <source>objects</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>triangles drawn a view</source>
+        <translation>每个视图绘制的三角形</translation>
+    </message>
+    <message>
+        <source>copies</source>
+        <translation>副本</translation>
+    </message>
+    <message>
+        <source>triangles of the scene</source>
+        <translation>场景的三角形</translation>
+    </message>
+    <message>
+        <source>Frame time by the size of the scene</source>
+        <translation>帧时间随场景规模的变化</translation>
+    </message>
+    <message>
+        <source>Triangles drawn by the size of the scene</source>
+        <translation>绘制的三角形随场景规模的变化</translation>
+    </message>
+    <message>
+        <source>Frame time in one of ever more courts</source>
+        <translation>庭院越来越多时其中一个的帧时间</translation>
+    </message>
+    <message>
+        <source>Each court is a copy of the scene behind walls of its own. All views are of one court, the same for all sizes: what is visible stays the same, while the frustum has more and more in it.</source>
+        <translation>每个庭院是场景的一份副本，四周有自己的围墙。所有视图都在同一个庭院里，与规模无关：可见的东西不变，而视锥体中的东西越来越多。</translation>
+    </message>
+    <message>
+        <source>An exponent of 1 means that the time grows as the scene does, 0 that it does not grow.</source>
+        <translation>指数为 1 表示时间与场景同步增长，0 表示不增长。</translation>
+    </message>
+    <message>
+        <source>Frame time in a field of ever more objects</source>
+        <translation>物体越来越多的场地的帧时间</translation>
+    </message>
+    <message>
+        <source>This OpenGL is %1, which draws on the processor. Leave out --gpu for sizes that suit it, or run this where a graphics card draws.</source>
+        <translation>此 OpenGL 是 %1，由处理器绘制。去掉 --gpu 以使用适合它的规模，或在由显卡绘制的机器上运行。</translation>
+    </message>
+    <message>
+        <source>n by n copies of a scene, each behind walls of its own: who stands in one sees no other</source>
+        <translation>场景的 n × n 份副本，各有自己的围墙：站在其中一个里看不到其他的</translation>
+    </message>
+    <message>
+        <source>courts along each side</source>
+        <translation>每边的庭院数</translation>
+    </message>
+    <message>
+        <source>height of the walls, as a share of the scene&apos;s; 0: there are none</source>
+        <translation>围墙高度与场景高度之比；0：没有围墙</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -16,10 +16,11 @@ TEST_F(CullbenchContract, listShowsEveryExperiment) {
     const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
     std::vector<std::string> experiments;
     for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
-    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "table-1-layouts",
-                                                  "table-2-views", "spherical-readings", "spherical-domain", "vfc-40-views",
-                                                  "vfc-fitted-views", "lecture-table", "quiz", "example", "bsp-planes",
-                                                  "plant-methods", "plant-pipelines", "plant-losses"));
+    EXPECT_THAT(experiments,
+                testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "table-1-layouts", "table-2-views",
+                                     "spherical-readings", "spherical-domain", "vfc-40-views", "vfc-fitted-views",
+                                     "lecture-table", "quiz", "example", "bsp-planes", "plant-methods", "plant-pipelines",
+                                     "plant-losses", "occlusion-growth", "occlusion-sizes"));
     const std::string text = cullbench({"list", "experiments"}).out;
     for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
 }
@@ -29,13 +30,13 @@ TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
                   "Known: table-1, table-2, table-3, table-4, table-5, table-1-layouts, table-2-views, spherical-readings, "
                   "spherical-domain, "
                   "vfc-40-views, vfc-fitted-views, lecture-table, quiz, example, bsp-planes, "
-                  "plant-methods, plant-pipelines, plant-losses.");
+                  "plant-methods, plant-pipelines, plant-losses, occlusion-growth, occlusion-sizes.");
     expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
     expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
     expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");
     expectRefusal(cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2,
                   "no plot. With a plot: spherical-domain, vfc-40-views, vfc-fitted-views, lecture-table, plant-methods, "
-                  "plant-pipelines, plant-losses.");
+                  "plant-pipelines, plant-losses, occlusion-growth, occlusion-sizes.");
     expectRefusal(cullbench({"reproduce", "table-1", "--png", file("t.png")}), 2, "--png: table-1 has a table and no plot");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--png", file("t.bmp")}), 2, ".png");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
@@ -101,7 +102,7 @@ TEST_F(CullbenchContract, quizTakesAFileOfTheLecturersOwn) {
         expectRefusal(
             cullbench({"reproduce", experiment, file("own.polygons")}), 2,
             "Taking one: table-1, table-2, table-3, table-4, table-5, table-1-layouts, table-2-views, spherical-readings, "
-            "spherical-domain, quiz, example, plant-losses.");
+            "spherical-domain, quiz, example, plant-losses, occlusion-growth.");
     std::ofstream(file("own.polygons")) << "plane P 1 0 0 0\n";
     expectRefusal(cullbench({"reproduce", "quiz", file("own.polygons")}), 3, "own.polygons names no polygon");
 }

@@ -19,7 +19,7 @@ class MovingViews : public QObject {
 public:
     /// Scenes of fewer triangles follow as they are.
     static constexpr uint64_t kLarge = 400'000;
-    static constexpr uint64_t kCoarseTriangles = 100'000;
+    static constexpr uint64_t kCoarseTriangles = 60'000;
     /// A whole picture of all shown views may take so long, in ms, before they are drawn coarsely.
     static constexpr double kFollowing = 60.0;
 

@@ -272,7 +272,7 @@ TEST(PaperTables, refusalOfAnUnknownExperimentNamesTheKnownOnes) {
                      "There is no experiment \"table-9\". Known: table-1, table-2, table-3, table-4, table-5, "
                      "table-1-layouts, table-2-views, spherical-readings, spherical-domain, vfc-40-views, vfc-fitted-views, "
                      "lecture-table, quiz, example, "
-                     "bsp-planes, plant-methods, plant-pipelines, plant-losses.");
+                     "bsp-planes, plant-methods, plant-pipelines, plant-losses, occlusion-growth, occlusion-sizes.");
     }
 }
 
