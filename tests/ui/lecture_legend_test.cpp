@@ -45,7 +45,8 @@ TEST_F(LectureLegend, lacksMarksThatThePictureLacks) {
 TEST_F(LectureLegend, saysWhatTheTonesOfTheMapMean) {
     watch("spherical");
     LectureWindow& lecture = begin();
-    ASSERT_TRUE(lecture.structure().map().isVisible());
+    // The map is read, and the legend speaks of it, before its colouring changes.
+    ASSERT_TRUE(waitUntil([&] { return lecture.legend().words().contains(QStringLiteral("triangles a cell, logarithmic")); }));
     lecture.structure().map().setColouring("radius");
     const QString words = QStringLiteral("farthest R, mesh units");
     EXPECT_TRUE(waitUntil([&] { return lecture.legend().words().contains(words); }));

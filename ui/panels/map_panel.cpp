@@ -39,7 +39,7 @@ MapPanel::MapPanel(Session& session, SnapshotReader& reader, QWidget* parent)
       m_pictures(new PictureMenu(session, *m_map, kMapFileSize)) {
     layOut();
     connect(m_colouring, &QComboBox::activated, this,
-            [this] { m_map->setColouring(m_colouring->currentData().toString().toStdString()); });
+            [this] { setColouring(m_colouring->currentData().toString().toStdString()); });
     connect(m_map, &MapWidget::cellChosen, this, &MapPanel::pickIn);
     followReading(session, reader, this, [this] { refresh(); });
     followAbsence(session, this, [this] { showSentence(); });
@@ -110,6 +110,7 @@ void MapPanel::setColouring(const std::string& id) {
     const int choice = m_colouring->findData(QString::fromStdString(id));
     if (choice >= 0) m_colouring->setCurrentIndex(choice);
     m_map->setColouring(id);
+    emit shownChanged();
 }
 
 /// Why a settled view has no map: its strategy never has one, or this frame has none, as before the step that makes it.

@@ -36,7 +36,7 @@ public:
     void setPart(const std::optional<uint32_t>& part);
 
 signals:
-    /// Another map, or another part of it, is shown, and so other lines and colours.
+    /// Another map, another part of it or another colouring is shown, and so other lines and colours.
     void shownChanged();
 
 protected:
