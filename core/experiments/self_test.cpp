@@ -22,10 +22,9 @@ public:
         const HeadlessContext gl;
         m_test.gl = gl.info();
         m_test.graphicsCard = request.graphicsCard;
-        if (request.graphicsCard && m_test.gl.software)
-            throw Error(ErrorKind::OpenGl, {CULLSCOPE_TR("This OpenGL is %1, which draws on the processor. Leave out --gpu for "
-                                                         "sizes that suit it, or run this where a graphics card draws."),
-                                            {m_test.gl.renderer}});
+        if (request.graphicsCard) requireGraphicsCard(m_test.gl);
+        // What the user names must be there; the battery takes minutes.
+        if (!request.court.empty()) (void)openScene(request.court, request.experiments.sceneSource, progress.part(0.0, 0.0));
     }
 
     SelfTest all() {
@@ -113,6 +112,13 @@ bool SelfTest::right() const {
     return std::ranges::all_of(battery, &stability::CaseResult::right) &&
            std::ranges::all_of(certificates, [](const auto& each) { return each.counterexamples.empty(); }) &&
            std::ranges::all_of(tables, holds);
+}
+
+void requireGraphicsCard(const GlInfo& gl) {
+    if (gl.software)
+        throw Error(ErrorKind::OpenGl, {CULLSCOPE_TR("This OpenGL is %1, which draws on the processor. Leave out --gpu for "
+                                                     "sizes that suit it, or run this where a graphics card draws."),
+                                        {gl.renderer}});
 }
 
 SelfTest selfTest(const SelfTestRequest& request, const Progress& progress,

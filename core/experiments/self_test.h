@@ -32,9 +32,13 @@ struct SelfTest {
     [[nodiscard]] bool right() const;
 };
 
+/// Throws Error(OpenGl) where the processor draws.
+void requireGraphicsCard(const GlInfo& gl);
+
 /// The battery, a certificate of every strategy that promises to lose nothing, and the experiments on growth, in this order, each
 /// with an OpenGL context of its own. `finished` is given each part's text as soon as it is there. A stop request ends it with
-/// what is complete. Throws Error(OpenGl) for a graphics card where the OpenGL is software.
+/// what is complete. Throws, before it begins, as requireGraphicsCard for a graphics card, and where the scene of the courts
+/// cannot be opened.
 [[nodiscard]] SelfTest selfTest(const SelfTestRequest& request, const Progress& progress = {},
                                 const std::function<void(const std::string& text)>& finished = {});
 
