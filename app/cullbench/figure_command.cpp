@@ -14,15 +14,13 @@
 namespace cullscope::cullbench {
 namespace {
 
-constexpr double kLetters = 13.0;  // pixels
-
 struct FigureOptions {
     int number = 0;
     SceneChoice scene;
     std::vector<std::string> parameters;
     std::string output, json, csv;
     std::string language = "en";
-    int width = 900;
+    int width = han_hong::kFigurePixels;
     int64_t pose = 0;
     std::optional<int> onlyCase;
     std::optional<int64_t> step;
@@ -44,20 +42,19 @@ void run(const FigureOptions& options, const Context& context) {
     const std::vector<StrategyRequest> strategies = strategiesOf({han_hong::figureStrategy(options.number)}, options.parameters);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
+    const double scale = options.width / han_hong::kFigureWidth;
     // Letters are needed where the picture is no SVG; where none are installed, an SVG is laid out without them.
     std::optional<Letters> letters;
-    if (!options.output.empty() && !isSvg(options.output)) letters.emplace(kLetters);
+    if (!options.output.empty() && !isSvg(options.output)) letters.emplace(scale * kPlotLetters);
     PageLook look;
-    look.style = letters ? pageStyle(*letters) : svgStyle();
+    look.style = letters ? pageStyle(*letters, scale) : svgStyle();
     look.say = [catalogue = Catalogue(options.language)](const Words& words) { return catalogue.say(words); };
-    han_hong::FigureRequest request;
-    request.number = options.number;
-    request.scene = opened.scene;
+    han_hong::FigureRequest request = han_hong::figureRequest(options.number, opened.scene);
     request.strategy = strategies.front();
     request.pose = size_t(options.pose);
     request.onlyCase = options.onlyCase;
     if (options.step) request.step = size_t(*options.step);
-    request.width = options.width;
+    request.scale = scale;
     han_hong::Figure figure = han_hong::figure(request, look, terminalProgress(context));
     clearProgress();
     figure.data.scene = options.scene.specification;
@@ -94,7 +91,7 @@ void addFigureCommand(CLI::App& app, Context& context) {
     command->add_option("-o,--output", options->output, "picture: .png, .jpg, .tif or .svg; - is standard output (PNG)");
     command->add_option("--json", options->json, "rays and hits, region, boxes and S of the figure; - is standard output");
     command->add_option("--csv", options->csv, "the same as CSV; - is standard output");
-    command->add_option("--width", options->width, "width of the picture in pixels")
+    command->add_option("--width", options->width, "width of the picture in pixels; letters and lines grow with it")
         ->check(CLI::Range(480, 8192))
         ->capture_default_str();
     command->add_option("--language", options->language, "of the picture's words: en, ko or zh_CN")

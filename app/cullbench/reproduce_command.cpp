@@ -108,14 +108,10 @@ public:
 
 private:
     void addFigure(int number, const ScenePointer& scene) {
-        han_hong::FigureRequest request;
-        request.number = number;
-        request.scene = scene;
-        request.strategy = strategyFromText(han_hong::kShownStrategy);
         PageLook look;
         look.style = svgStyle();
         look.say = [catalogue = Catalogue("en")](const Words& words) { return catalogue.say(words); };
-        const han_hong::Figure figure = han_hong::figure(request, look, {nullptr, m_context.stop});
+        const han_hong::Figure figure = han_hong::figure(han_hong::figureRequest(number, scene), look, {nullptr, m_context.stop});
         m_report.figures.push_back({han_hong::figureTitle(number), figure.data.source, pageSvg(figure.page),
                                     fmt::format("cullbench figure {} -o figure-{}.svg", number, number)});
         write();

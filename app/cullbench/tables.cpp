@@ -13,8 +13,6 @@
 namespace cullscope::cullbench {
 namespace {
 
-constexpr double kLetters = 13.0;  // pixels
-
 /// The options whose file is standard output.
 std::vector<std::string> onStandardOutput(const TableFiles& files) {
     std::vector<std::string> options;
@@ -60,7 +58,7 @@ void writeTables(const TableFiles& files, const std::vector<ResultTable>& tables
     if (const std::vector<LinePlot> plots = plotsOf(tables); !plots.empty())
         writeTo(files.svg, [&] { return linePlotsSvg(plots); });
     if (const std::vector<LinePlot> plots = plotsOf(tables); !plots.empty() && !files.png.empty()) {
-        const Letters letters(kLetters);
+        const Letters letters(kPlotLetters);
         try {
             writePicture(files.png, pagePicture(linePlotsPage(plots, pageStyle(letters)), letters));
         } catch (const Error& error) {

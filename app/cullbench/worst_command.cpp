@@ -10,8 +10,6 @@
 namespace cullscope::cullbench {
 namespace {
 
-constexpr double kLettersOfMap = 13.0;  // pixels
-
 struct WorstOptions {
     SceneChoice scene;
     std::vector<std::string> strategies, parameters;
@@ -51,7 +49,7 @@ void findWorst(const WorstOptions& options, Context& context) {
     if (!options.json.empty()) writeText(options.json, worstJson(result));
     if (!options.svg.empty()) writeText(options.svg, linePlotsSvg({worstMap(result)}));
     if (!options.png.empty()) {
-        const Letters letters(kLettersOfMap);
+        const Letters letters(kPlotLetters);
         writePicture(options.png, pagePicture(linePlotsPage({worstMap(result)}, pageStyle(letters)), letters));
     }
     const bool data = options.json == "-" || options.svg == "-" || options.png == "-";

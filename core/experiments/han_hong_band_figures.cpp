@@ -23,7 +23,7 @@ using spherical::MapPlace;
 using spherical::MapSnapshot;
 
 constexpr double kLeastContour = 0.6;  ///< radii; in Figure 7 shorter ones, as on the tip of an ear, are left out
-constexpr double kBesideBands = 8.0;   ///< pictures beside each other, pixels
+constexpr double kBesideBands = 8.0;   ///< between pictures beside each other
 
 class BandFigures : private FigurePage {
 public:
@@ -122,7 +122,9 @@ private:
         addLabel(viewing, 0.5 * (projection.origin + projection.place), {14.0, 4.0}, "R");
         addLabel(viewing, projection.arc[projection.arc.size() / 3], {0.0, -12.0}, "α");
         addLabel(viewing, projection.top, {0.0, -10.0}, say(CULLSCOPE_TR("perpendicular axis")));
-        addLabel(viewing, 0.6 * projection.onPerpendicular + 0.4 * projection.origin, {-52.0, 0.0}, "S = R · sin α");
+        // Beside the upper end of its length, where no bar of a band stands.
+        addLabel(viewing, glm::mix(projection.origin, projection.onPerpendicular, 0.94), {62.0, 0.0}, "S = R · sin α",
+                 plotColour(spherical::sizeColour(m_style.background)));
         addLabel(viewing, projection.start, {0.0, 16.0}, say(CULLSCOPE_TR("to the eye")));
     }
 
@@ -209,7 +211,8 @@ private:
     }
 
     /// What is drawn of the object behind the section, and the section.
-    [[nodiscard]] std::vector<uint8_t> drawnOpen(const View& viewing, const Plane& section) {
+    [[nodiscard]] std::vector<uint8_t> drawnOpen(const View& given, const Plane& section) {
+        const View viewing = sharp(given);
         DrawStyle style = m_style;
         style.back = backColour(style.background);
         Framebuffer target(viewing.viewport());
@@ -248,8 +251,9 @@ private:
 
     /// Makes back sides the darker, the deeper they lie in the hollow, seen from where it opens: evenly lit, a hollow looks like
     /// a body.
-    void darkenHollow(const FrameLog& log, const View& viewing, std::vector<uint8_t>& rgba) {
+    void darkenHollow(const FrameLog& log, const View& given, std::vector<uint8_t>& rgba) {
         constexpr double kDarkest = 0.25;
+        const View viewing = sharp(given);
         const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
         const Vec3 origin = MapPlace(scene(), *m_map).world(Vec3(0.0));
         const Vec3 axis = glm::normalize(MapPlace(scene(), *m_map).linear() * bands().axis);

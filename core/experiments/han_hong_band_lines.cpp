@@ -123,7 +123,7 @@ std::vector<OverlayLines> contoursOnSurface(const OverlayContext& context, const
             if (found == 2) contours[band].add(ends, edges);
         }
     }
-    OverlayLines thin{{}, {kContourWidth, true}}, middle{{}, {kCutWidth, true}, true};
+    OverlayLines thin{{}, {kContourWidth, true}, true}, middle{{}, {kCutWidth, true}, true};
     for (uint32_t band = 0; band < contours.size(); ++band) {
         const bool right = std::abs(band * bands.width - kRightAngle) < 1e-9;
         contours[band].tell(leastLength * map.maps.sphere().radius, [&](const std::array<Vec3, 2>& ends) {

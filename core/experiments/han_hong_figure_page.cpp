@@ -66,6 +66,8 @@ FigurePage::FigurePage(const FigureRequest& request, const PageLook& look, const
     m_style.surface = Vec3f(0.62f, 0.70f, 0.84f);
     m_data = figureTable(request.number, *m_strategy);
     m_page.width = request.width;
+    m_page.scale = request.scale;
+    m_style.unit = float(request.scale);
     const std::string number = m_look.say({CULLSCOPE_TR("Figure %1"), {Term::plain(uint64_t(request.number))}});
     m_bottom = addText(m_page, fmt::format("{}. {}", number, say(figureTitle(request.number))), {kMargin, kMargin}, inner(),
                        m_look.style, m_look.style.text, true) +
@@ -78,6 +80,12 @@ PlotColour FigurePage::stateColour(TriangleState state) const {
 
 PageLegendEntry FigurePage::stateEntry(TriangleState state) const {
     return {{PageSign::Shape::Area, stateColour(state)}, say(triangleStateName(state))};
+}
+
+View FigurePage::sharp(const View& viewing) const {
+    View result(viewing.camera(), m_page.pixelsOf(viewing.viewport()));
+    result.cutBy(viewing.section());
+    return result;
 }
 
 FrameLog FigurePage::frameOf(const View& culling, size_t view) {
@@ -158,7 +166,8 @@ void FigurePage::requireBands(const FrameLog& log) const {
     if (const std::optional<Message> why = m_strategy->whyNotShown("bands", {}, log)) throwUsage(why->text, why->arguments);
 }
 
-std::vector<uint8_t> FigurePage::drawn(const FrameLog& log, const View& viewing, const ViewLook& look, const Overlays& more) {
+std::vector<uint8_t> FigurePage::drawn(const FrameLog& log, const View& given, const ViewLook& look, const Overlays& more) {
+    const View viewing = sharp(given);
     Framebuffer target(viewing.viewport());
     std::optional<TriangleStates> states;
     if (look.has(Show::Kind::Verdicts)) states = statesAgainstTruth(log);
@@ -175,8 +184,9 @@ TriangleStates FigurePage::statesAgainstTruth(const FrameLog& log) {
     return judgedStates(m_renderer, m_buffers, log, m_strategy->referenceFacing());
 }
 
-double FigurePage::markLost(const FrameLog& log, const View& viewing, std::vector<uint8_t>& rgba) {
+double FigurePage::markLost(const FrameLog& log, const View& given, std::vector<uint8_t>& rgba) {
     constexpr double kTint = 0.75;
+    const View viewing = sharp(given);
     const Reference truth = itemBufferReference(m_renderer, m_buffers, viewing, m_strategy->referenceFacing());
     const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
     const Vec3f lost = verdictPalette(m_style.background)[size_t(TriangleState::WronglyCulled)].colour;
@@ -211,15 +221,16 @@ void FigurePage::addPicture(const Viewport& size, std::vector<uint8_t> rgba, dou
     m_page.pictures.push_back({{left, m_bottom}, size, std::move(rgba)});
 }
 
-void FigurePage::addLabel(const View& viewing, const Vec3& place, const Vec2& aside, const std::string& words) {
+void FigurePage::addLabel(const View& viewing, const Vec3& place, const Vec2& aside, const std::string& words,
+                          std::optional<PlotColour> colour) {
     const std::optional<PlotPoint> at = placeIn(viewing, place);
     if (!at) return;
     const PagePicture& picture = m_page.pictures.back();
     const double left = at->x + aside.x - m_look.style.width(words) / 2;
-    addPlate({picture.corner.x + left, picture.corner.y + at->y + aside.y}, words);
+    addPlate({picture.corner.x + left, picture.corner.y + at->y + aside.y}, words, colour);
 }
 
-void FigurePage::addPlate(const PlotPoint& from, const std::string& words) {
+void FigurePage::addPlate(const PlotPoint& from, const std::string& words, std::optional<PlotColour> colour) {
     constexpr double kAround = 2.0;
     constexpr PlotColour kGround = 0xC8FFFFFF;
     const PagePicture& picture = m_page.pictures.back();
@@ -231,7 +242,7 @@ void FigurePage::addPlate(const PlotPoint& from, const std::string& words) {
     const double right = left + wide + kAround, bottom = top + style.height;
     m_page.drawing.items.emplace_back(
         DrawnPath{{{left - kAround, top}, {right, top}, {right, bottom}, {left - kAround, bottom}}, {}, kGround});
-    m_page.text({left, top + style.ascent}, words, style.text, TextAnchor::Start, true);
+    m_page.text({left, top + style.ascent}, words, colour.value_or(style.text), TextAnchor::Start, true);
 }
 
 Figure FigurePage::finish() {

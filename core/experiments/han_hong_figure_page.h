@@ -16,7 +16,8 @@ class FigurePage {
 public:
     FigurePage(const FigureRequest& request, const PageLook& look, const Progress& progress);
 
-    static constexpr double kMargin = 12.0;  ///< pixels
+    // Lengths are in units of the page, and so are the viewports of views: what draws a picture takes `sharp` of them.
+    static constexpr double kMargin = 12.0;
 
 protected:
     using Overlays = std::function<std::vector<OverlayLines>(const OverlayContext& context)>;
@@ -29,6 +30,8 @@ protected:
     [[nodiscard]] PlotColour stateColour(TriangleState state) const;
     [[nodiscard]] PageLegendEntry stateEntry(TriangleState state) const;
 
+    /// A view of a picture on the page, with as many pixels as the page's scale gives it.
+    [[nodiscard]] View sharp(const View& viewing) const;
     /// A frame of the strategy, whose rays, regions and bands go into the figure's data. `view`: its number there.
     [[nodiscard]] FrameLog frameOf(const View& culling, size_t view);
     /// A frame in which all triangles are drawn.
@@ -58,11 +61,12 @@ protected:
     /// Adds a line of words, such as the case, and goes on below it.
     void addWords(const Words& words);
     void addPicture(const Viewport& size, std::vector<uint8_t> rgba, double left = kMargin);
-    /// Words around a place in the newest picture; `aside`: from there, pixels.
-    void addLabel(const View& viewing, const Vec3& place, const Vec2& aside, const std::string& words);
+    /// Words around a place in the newest picture; `aside`: from there. `colour`: of the words; none: the style's.
+    void addLabel(const View& viewing, const Vec3& place, const Vec2& aside, const std::string& words,
+                  std::optional<PlotColour> colour = {});
     /// Words on a pale ground that begin at a point of the page and are centred along y, as far as they stay in the newest
     /// picture.
-    void addPlate(const PlotPoint& from, const std::string& words);
+    void addPlate(const PlotPoint& from, const std::string& words, std::optional<PlotColour> colour = {});
     [[nodiscard]] Figure finish();
     void addLegendBelow(const std::vector<PageLegendEntry>& entries, double pictureHeight);
     /// `truth`: states of the triangles, by which the cells are coloured in place of what was decided about them.

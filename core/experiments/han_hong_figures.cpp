@@ -78,6 +78,14 @@ const char* figureTitle(int number) {
 
 std::string figureStrategy(int number) { return number >= 5 ? fmt::format("{}:band=15", kShownStrategy) : kShownStrategy; }
 
+FigureRequest figureRequest(int number, ScenePointer scene) {
+    FigureRequest request;
+    request.number = number;
+    request.scene = std::move(scene);
+    request.strategy = strategyFromText(figureStrategy(number));
+    return request;
+}
+
 Figure figure(const FigureRequest& request, const PageLook& look, const Progress& progress) {
     switch (request.number) {
         case 1:

@@ -10,6 +10,10 @@
 namespace cullscope::han_hong {
 
 inline constexpr int kFigures = 8;
+/// The width that the figures are laid out for, in units of a page whose letters are kPlotLetters large, and the pixels that a
+/// picture of them has across: there the letters have 20.
+inline constexpr double kFigureWidth = 820.0;
+inline constexpr int kFigurePixels = 1280;
 /// The strategy that they show.
 inline constexpr const char* kShownStrategy = "spherical";
 
@@ -23,12 +27,16 @@ inline constexpr const char* kShownStrategy = "spherical";
 struct FigureRequest {
     int number = 1;  ///< 1 to kFigures
     ScenePointer scene;
-    StrategyRequest strategy;       ///< `spherical` with its parameters
-    size_t pose = 0;                ///< of the paths of the cases
-    std::optional<int> onlyCase{};  ///< of Figures 1, 3 and 4; none: 2 of Figures 1 and 3, all three of Figure 4
-    std::optional<size_t> step{};   ///< of Figure 1: how many of the frame's decisions have fallen; none: all
-    double width = 900.0;           ///< of the page, pixels
+    StrategyRequest strategy;                     ///< `spherical` with its parameters
+    size_t pose = 0;                              ///< of the paths of the cases
+    std::optional<int> onlyCase{};                ///< of Figures 1, 3 and 4; none: 2 of Figures 1 and 3, all three of Figure 4
+    std::optional<size_t> step{};                 ///< of Figure 1: how many of the frame's decisions have fallen; none: all
+    double width = kFigureWidth;                  ///< of the page, in its units
+    double scale = kFigurePixels / kFigureWidth;  ///< of the page, pixels a unit
 };
+
+/// What command line, dialog and report draw where nothing else is asked for.
+[[nodiscard]] FigureRequest figureRequest(int number, ScenePointer scene);
 
 struct Figure {
     Page page;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/experiments/han_hong_figure_lines.h"
 #include "core/experiments/han_hong_figure_page.h"
 #include "core/geometry/angle.h"
 #include "core/gpu/colour.h"
@@ -18,7 +19,9 @@ namespace {
 
 using Shape = PageSign::Shape;
 
-constexpr PlotColour kPointRed = 0xFFDB1414;
+// Of P and R, θ, φ, and the foot of P in the plane of x and y.
+constexpr uint32_t kRadiusRed = 0xDB1414, kThetaBlue = 0x1450C8, kPhiGreen = 0x0B7A3B, kFootGrey = 0x606060;
+constexpr PlotColour opaque(uint32_t colour) { return 0xFF000000 | colour; }
 // Shares of the bounding sphere's radius.
 constexpr double kModelAxis = 1.3, kModelArrow = 0.05, kModelArc = 0.3, kFootDash = 0.04;
 constexpr double kPointRadius = 4.0;                     // in units
@@ -44,7 +47,10 @@ public:
         for (size_t i = 0; i < ramp.size(); ++i)
             entries.push_back({{Shape::Area, plotColour(ramp[i])},
                                fmt::format("R = {:.2f}", double(i) / (ramp.size() - 1) * scene().boundingSphere().radius)});
-        entries.push_back({{Shape::Dot, kPointRed}, m_look.say({CULLSCOPE_TR("the same point P in both"), {}})});
+        entries.push_back({{Shape::Line, opaque(kThetaBlue), 2.0}, say(CULLSCOPE_TR("θ, from the z axis"))});
+        entries.push_back({{Shape::Line, opaque(kPhiGreen), 2.0}, say(CULLSCOPE_TR("φ, from the x axis to the foot of P"))});
+        entries.push_back({{Shape::Dashed, opaque(kFootGrey), 1.5}, say(CULLSCOPE_TR("foot of P in the plane of x and y"))});
+        entries.push_back({{Shape::Dot, opaque(kRadiusRed)}, m_look.say({CULLSCOPE_TR("the same point P in both"), {}})});
         addLegendBelow(entries, 0.0);
         return finish();
     }
@@ -77,14 +83,22 @@ private:
         const View view = fitted(wholeView().camera(), places, size);
         addPicture(size, drawn(m_log, view, {}, [&](const OverlayContext& context) { return coordinateLines(context); }));
         static constexpr std::array kNames{"x, φ = 0°", "y, φ = 90°", "z, θ = 0°"};
-        for (int axis = 0; axis < 3; ++axis) addLabel(view, world(axisEnd(axis)), {0.0, -12.0}, kNames[size_t(axis)]);
+        for (int axis = 0; axis < 3; ++axis) addAxisName(view, world(axisEnd(axis)), kNames[size_t(axis)]);
         const double theta = std::acos(m_point.z / glm::length(m_point)), phi = std::atan2(m_point.y, m_point.x);
         addLabel(view, world(Vec3(0.0)), {-12.0, 12.0}, "O");
-        addLabel(view, world(0.62 * m_point), {14.0, 8.0}, "R");
-        addLabel(view, world(kModelArc * radius * onThetaArc(theta / 2, phi)), {0.0, -14.0}, "θ");
-        addLabel(view, world(kModelArc * radius * onThetaArc(kRightAngle, phi / 2)), {0.0, 14.0}, "φ");
-        addLabel(view, world(m_point), {0.0, -16.0}, "P");
+        addLabel(view, world(0.62 * m_point), {14.0, 8.0}, "R", opaque(kRadiusRed));
+        addLabel(view, world(kModelArc * radius * onThetaArc(theta / 2, phi)), {-14.0, 4.0}, "θ", opaque(kThetaBlue));
+        addLabel(view, world(kModelArc * radius * onThetaArc(kRightAngle, phi / 2)), {10.0, -14.0}, "φ", opaque(kPhiGreen));
+        addLabel(view, world(m_point), {0.0, -16.0}, "P", opaque(kRadiusRed));
         m_bottom += size.height + 4.0;
+    }
+    /// Beyond the axis' arrow.
+    void addAxisName(const View& view, const Vec3& end, const std::string& name) {
+        constexpr double kBeyond = 12.0;
+        const std::optional<PlotPoint> from = placeIn(view, world(Vec3(0.0))), to = placeIn(view, end);
+        if (!from || !to) return;
+        const Vec2 way = glm::normalize(Vec2(to->x - from->x, to->y - from->y));
+        addLabel(view, end, kBeyond * way + Vec2(way.x * m_look.style.width(name) / 2, 0.0), name);
     }
     [[nodiscard]] Vec3 axisEnd(int axis) const {
         Vec3 end(0.0);
@@ -111,20 +125,21 @@ private:
             add(Vec3(0.0), end, context.contrast);
             for (const double side : {-1.0, 1.0}) add(end, (1.0 - kModelArrow) * end + side * aside, context.contrast);
         }
-        const Vec3f red(0.86f, 0.08f, 0.08f);
+        const Vec3f red = colourFromHexadecimal(kRadiusRed), blue = colourFromHexadecimal(kThetaBlue);
+        const Vec3f green = colourFromHexadecimal(kPhiGreen), grey = colourFromHexadecimal(kFootGrey);
         const double theta = std::acos(m_point.z / glm::length(m_point)), phi = std::atan2(m_point.y, m_point.x);
         for (int i = 0; i < kPieces; ++i) {
             const double from = double(i) / kPieces, to = double(i + 1) / kPieces;
-            add(kModelArc * radius * onThetaArc(theta * from, phi), kModelArc * radius * onThetaArc(theta * to, phi), red);
+            add(kModelArc * radius * onThetaArc(theta * from, phi), kModelArc * radius * onThetaArc(theta * to, phi), blue);
             add(kModelArc * radius * onThetaArc(kRightAngle, phi * from), kModelArc * radius * onThetaArc(kRightAngle, phi * to),
-                red);
+                green);
         }
         add(Vec3(0.0), m_point, red);
         const Vec3 foot(m_point.x, m_point.y, 0.0);
         for (const auto& [start, end] : {std::pair(Vec3(0.0), foot), std::pair(foot, m_point)}) {
             const int dashes = std::max(1, int(glm::length(end - start) / (2.0 * kFootDash * radius)));
             for (int i = 0; i < dashes; ++i)
-                add(glm::mix(start, end, double(i) / dashes), glm::mix(start, end, (i + 0.6) / dashes), red);
+                add(glm::mix(start, end, double(i) / dashes), glm::mix(start, end, (i + 0.6) / dashes), grey);
         }
         OverlayLines behind{lines, {kModelLine, false}}, before{std::move(lines), {kModelLine, true}, true},
             point{{}, {kModelLine, false}, true};
@@ -135,12 +150,14 @@ private:
     }
 
     void addModel() {
+        constexpr double kAxisName = 75.0;  // degrees; between the numbers of two ticks
         const Viewport size{int(inner()), int(inner()) / 2 + 40};
-        const View view(wholeView().camera(), size);
-        Framebuffer target(size);
+        const View view = sharp({wholeView().camera(), size});
+        Framebuffer target(view.viewport());
         drawSphericalModel(m_renderer, m_buffers, view, drawnTriangles(scene(), m_log), m_style, target);
         addPicture(size, target.readColour());
-        const MapArea area = sphericalModelArea(size, m_style);
+        MapArea area = sphericalModelArea(view.viewport(), m_style);
+        for (double* length : {&area.left, &area.bottom, &area.width, &area.height}) *length /= m_page.scale;
         const PlotStyle& style = m_look.style;
         const double left = kMargin + area.left, bottom = m_bottom + size.height - area.bottom, top = bottom - area.height;
         for (int degrees = 0; degrees <= 360; degrees += 30)
@@ -149,9 +166,9 @@ private:
         for (int degrees = 0; degrees <= 180; degrees += 30)
             m_page.text({left - 8.0, top + area.height * degrees / 180.0 + style.ascent - style.height / 2},
                         fmt::format("{}°", degrees), style.text, TextAnchor::End);
-        m_page.text({left + area.width / 2, bottom + 6.0 + style.height + style.ascent}, "φ", style.text, TextAnchor::Middle,
-                    true);
-        m_page.text({kMargin, top + area.height / 2}, "θ", style.text, TextAnchor::Start, true);
+        m_page.text({left + area.width / 2, bottom + 6.0 + style.height + style.ascent}, "φ", opaque(kPhiGreen),
+                    TextAnchor::Middle, true);
+        m_page.text({kMargin, top + area.height * kAxisName / 180.0}, "θ", opaque(kThetaBlue), TextAnchor::Start, true);
         addPoint(left, top, area);
         m_bottom += size.height;
     }
@@ -162,7 +179,7 @@ private:
         if (phi < 0.0) phi += kTurn;
         const PlotPoint at{left + area.width * phi / kTurn, top + area.height * theta / kPi};
         m_page.drawing.items.emplace_back(DrawnDisc{at, kPointRadius + kCasing, {}, 0xFFFFFFFF});
-        m_page.drawing.items.emplace_back(DrawnDisc{at, kPointRadius, {}, kPointRed});
+        m_page.drawing.items.emplace_back(DrawnDisc{at, kPointRadius, {}, opaque(kRadiusRed)});
         const std::string words =
             fmt::format("P: R = {:.2f}, θ = {:.0f}°, φ = {:.0f}°", radius, theta * 180.0 / kPi, phi * 180.0 / kPi);
         addPlate({at.x + kAside, at.y}, words);

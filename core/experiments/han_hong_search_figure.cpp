@@ -1,5 +1,7 @@
 #include "core/experiments/han_hong_search_figure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -19,7 +21,7 @@ using spherical::MapSnapshot;
 
 constexpr PlotColour kHitRed = 0xFFDB1414, kCellBlue = 0xFF9EBCE0, kHitCell = 0xFFE0A030;
 constexpr double kWholeHeight = 0.6, kNearWidth = 0.42, kNearHeight = 0.36;  ///< shares of the page's inner width
-constexpr double kBesideSearch = 8.0;                                        ///< pixels
+constexpr double kBesideSearch = 8.0;
 constexpr double kNumberAside = 15.0;
 
 class SearchFigure : private FigurePage {
@@ -129,7 +131,7 @@ private:
         LinePlot plot;
         plot.title = m_look.say(
             {CULLSCOPE_TR("Ray %1: its R beside that of the triangles of each cell"), {Term::plain(uint64_t(number + 1))}});
-        plot.x.title = say(CULLSCOPE_TR("way from where it enters the sphere"));
+        plot.x.title = wayWords(map.maps->grid(), ray.walkedCells);
         plot.y.title = "R";
         PlotBars cells{say(CULLSCOPE_TR("R of the triangles of a cell")), kCellBlue, {}};
         PlotBars hit{say(CULLSCOPE_TR("of the cell in which one is hit")), kHitCell, {}};
@@ -152,6 +154,15 @@ private:
         PlotDrawing drawing = drawPlots({plot}, kMargin + inner() - left, height, m_look.style);
         moveBy(drawing, {left, m_bottom});
         std::ranges::move(drawing.items, std::back_inserter(m_page.drawing.items));
+    }
+
+    /// Which way a ray goes over the map.
+    [[nodiscard]] std::string wayWords(const SphericalGrid& grid, std::span<const WalkedCell> cells) const {
+        const auto degrees = [](double angle) { return Term::name(fmt::format("{:.0f}°", angle * 180.0 / kPi)); };
+        const auto theta = [&](const WalkedCell& walked) { return degrees(grid.thetaOf(walked.cell.row)); };
+        const auto phi = [&](const WalkedCell& walked) { return degrees(grid.phiOf(walked.cell.column)); };
+        return m_look.say({CULLSCOPE_TR("way inside the sphere, from cell (θ, φ) = (%1, %2) to (%3, %4)"),
+                           {theta(cells.front()), phi(cells.front()), theta(cells.back()), phi(cells.back())}});
     }
 
     void addSigns(const MapSnapshot& map, double height) {

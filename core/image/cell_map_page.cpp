@@ -100,7 +100,7 @@ double addCellMap(Page& page, const CellMap& given, std::string_view colouring, 
     const int across = int(width - kNumbers - kAxisName) - 2 * kFrame, down = across / 2;
     const Viewport size{across + 2 * kFrame, down + 2 * kFrame};
     const PlotPoint picture{corner.x + kNumbers + kAxisName, y};
-    page.pictures.push_back({picture, size, cellMapPicture(map, colouring, size, style)});
+    page.pictures.push_back({picture, size, cellMapPicture(map, colouring, page.pixelsOf(size), style)});
     const double left = picture.x + kFrame, top = picture.y + kFrame, bottom = top + down;
     for (int degrees = 0; degrees <= 180; degrees += 30)
         page.text({left - kFrame, top + down * degrees / 180.0 + plot.ascent - plot.height / 2}, fmt::format("{}°", degrees),

@@ -18,7 +18,8 @@ constexpr double kTick = 5.0;
 constexpr double kLongMapTick = 9.0;  ///< every 90°
 constexpr double kThin = 1.0;
 constexpr double kStrong = 2.0;
-constexpr double kMapCasing = 1.5;  ///< width of the background-coloured border on both sides of a line
+constexpr double kMapCasing = 1.5;      ///< width of the background-coloured border on both sides of a line
+constexpr double kCircleCasing = 0.75;  ///< narrower: circles are many, and cells are to be seen between them
 constexpr double kDash = 6.0;
 constexpr double kMapMark = 4.5;
 constexpr double kLeastCell = 5.0;  ///< smaller cells are not outlined
@@ -203,7 +204,9 @@ void CellMapPainter::paintCircles(const MapCircles& circles) {
         for (const std::vector<Vec2>& line : circle.lines) {
             std::vector<Vec2> points;
             for (const Vec2& each : line) points.push_back(place(each));
-            m_canvas.line(points, {m_contrast, (equator ? kStrong : kThin) * unit()});
+            const double width = (equator ? kStrong : kThin) * unit();
+            m_canvas.line(points, {m_style.background, width + 2.0 * kCircleCasing * unit()});
+            m_canvas.line(points, {m_contrast, width});
         }
     }
 }

@@ -6,8 +6,7 @@
 namespace cullscope {
 namespace {
 
-constexpr double kLetters = 13.0;  // pixels
-constexpr double kLetter = 0.62;   // of that, a letter's width in common fonts
+constexpr double kLetter = 0.62;  // of an em, a letter's width in common fonts
 constexpr PlotColour kOpaque = 0xFF000000;
 
 /// Letters are not measured here: the viewer of a file chooses its font.
@@ -16,7 +15,7 @@ double widthOf(const std::string& words) {
     for (const char byte : words) {
         const auto value = static_cast<unsigned char>(byte);
         const bool continues = (value & 0xC0) == 0x80, square = value >= 0xE2;
-        width += continues ? 0.0 : kLetters * (square ? 1.0 : kLetter);
+        width += continues ? 0.0 : kPlotLetters * (square ? 1.0 : kLetter);
     }
     return width;
 }
@@ -75,8 +74,8 @@ std::string element(const DrawnText& text) {
 PlotStyle svgStyle() {
     PlotStyle style;
     style.series = plotSeries(false);
-    style.ascent = kLetters;
-    style.height = 1.3 * kLetters;
+    style.ascent = kPlotLetters;
+    style.height = 1.3 * kPlotLetters;
     style.width = widthOf;
     style.number = plotNumber;
     return style;
@@ -87,7 +86,7 @@ std::string svgBeginning(double width, double height, PlotColour ground) {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.6g} {1:.6g}\" font-family=\"sans-serif\" "
         "font-size=\"{2}\">\n"
         "<rect width=\"{0:.6g}\" height=\"{1:.6g}\"{3}/>\n",
-        width, height, kLetters, colourText("fill", ground));
+        width, height, kPlotLetters, colourText("fill", ground));
 }
 
 std::string svgElements(const PlotDrawing& drawing) {

@@ -29,16 +29,16 @@ std::string base64(const std::vector<unsigned char>& bytes) {
     return text;
 }
 
-std::string element(const PagePicture& picture) {
-    const size_t row = 4 * size_t(picture.size.width);
+std::string element(const PagePicture& picture, const Viewport& pixels) {
+    const size_t row = 4 * size_t(pixels.width);
     PictureFileContent content;
-    content.width = picture.size.width;
-    content.height = picture.size.height;
-    for (size_t y = size_t(picture.size.height); y-- > 0;)
+    content.width = pixels.width;
+    content.height = pixels.height;
+    for (size_t y = size_t(pixels.height); y-- > 0;)
         content.bytes.insert(content.bytes.end(), picture.rgba.begin() + std::ptrdiff_t(y * row),
                              picture.rgba.begin() + std::ptrdiff_t((y + 1) * row));
     return fmt::format("<image x=\"{:.6g}\" y=\"{:.6g}\" width=\"{}\" height=\"{}\" href=\"data:image/png;base64,{}\"/>\n",
-                       picture.corner.x, picture.corner.y, content.width, content.height,
+                       picture.corner.x, picture.corner.y, picture.size.width, picture.size.height,
                        base64(pictureFormats().encoded(PictureFormat::Png, content)));
 }
 
@@ -55,11 +55,14 @@ bool isInside(const std::vector<PlotPoint>& outline, double x, double y) {
 class PagePainter {
 public:
     PagePainter(const Page& page, const Letters& letters)
-        : m_size{int(std::ceil(page.width)), int(std::ceil(page.height))},
+        : m_page(page),
+          m_size{int(std::ceil(page.scale * page.width)), int(std::ceil(page.scale * page.height))},
           m_canvas(m_size, colourOf(page.ground), float(opacityOf(page.ground))),
           m_letters(letters) {
         for (const PagePicture& picture : page.pictures) paint(picture);
-        for (const auto& item : page.drawing.items) std::visit([&](const auto& drawn) { paint(drawn); }, item);
+        PlotDrawing drawing = page.drawing;
+        scaleBy(drawing, page.scale);
+        for (const auto& item : drawing.items) std::visit([&](const auto& drawn) { paint(drawn); }, item);
     }
 
     [[nodiscard]] Picture picture() const {
@@ -71,11 +74,12 @@ public:
 
 private:
     void paint(const PagePicture& picture) {
-        const int left = int(std::lround(picture.corner.x)), top = int(std::lround(picture.corner.y));
-        for (int y = 0; y < picture.size.height; ++y)
-            for (int x = 0; x < picture.size.width; ++x) {
-                const uint8_t* pixel =
-                    &picture.rgba[4 * (size_t(picture.size.height - 1 - y) * size_t(picture.size.width) + size_t(x))];
+        const int left = int(std::lround(m_page.scale * picture.corner.x));
+        const int top = int(std::lround(m_page.scale * picture.corner.y));
+        const Viewport pixels = m_page.pixelsOf(picture.size);
+        for (int y = 0; y < pixels.height; ++y)
+            for (int x = 0; x < pixels.width; ++x) {
+                const uint8_t* pixel = &picture.rgba[4 * (size_t(pixels.height - 1 - y) * size_t(pixels.width) + size_t(x))];
                 m_canvas.fill({double(left + x), double(top + y), left + x + 1.0, top + y + 1.0},
                               Vec3f(pixel[0], pixel[1], pixel[2]) / 255.0f, pixel[3] / 255.0);
             }
@@ -87,7 +91,7 @@ private:
         std::vector<Vec2> points;
         for (const PlotPoint& point : path.points) points.emplace_back(point.x, point.y);
         const std::vector<double> dashes = dashesOf(path.pen.stroke);
-        m_canvas.line(points, {colourOf(path.pen.colour), path.pen.width, dashes.empty() ? 0.0 : dashes.front()});
+        m_canvas.line(points, {colourOf(path.pen.colour), path.pen.width, dashes.empty() ? 0.0 : m_page.scale * dashes.front()});
     }
 
     void paint(const DrawnDisc& disc) {
@@ -117,6 +121,7 @@ private:
             }
     }
 
+    const Page& m_page;
     Viewport m_size;
     Canvas m_canvas;
     const Letters& m_letters;
@@ -124,12 +129,12 @@ private:
 
 }  // namespace
 
-PlotStyle pageStyle(const Letters& letters) {
+PlotStyle pageStyle(const Letters& letters, double scale) {
     PlotStyle style;
     style.series = plotSeries(false);
-    style.ascent = letters.ascent();
-    style.height = letters.height();
-    style.width = [&letters](const std::string& words) { return letters.width(words, true); };
+    style.ascent = letters.ascent() / scale;
+    style.height = letters.height() / scale;
+    style.width = [&letters, scale](const std::string& words) { return letters.width(words, true) / scale; };
     style.number = plotNumber;
     return style;
 }
@@ -148,7 +153,7 @@ Page linePlotsPage(const std::vector<LinePlot>& plots, const PlotStyle& style) {
 
 std::string pageSvg(const Page& page) {
     std::string svg = svgBeginning(page.width, page.height, page.ground);
-    for (const PagePicture& picture : page.pictures) svg += element(picture);
+    for (const PagePicture& picture : page.pictures) svg += element(picture, page.pixelsOf(picture.size));
     return svg + svgElements(page.drawing) + "</svg>\n";
 }
 

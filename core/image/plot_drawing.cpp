@@ -247,6 +247,24 @@ void moveBy(PlotDrawing& drawing, const PlotPoint& by) {
     }
 }
 
+void scaleBy(PlotDrawing& drawing, double scale) {
+    const auto move = [&](PlotPoint& point) { point = {scale * point.x, scale * point.y}; };
+    for (auto& item : drawing.items) {
+        if (auto* path = std::get_if<DrawnPath>(&item)) {
+            std::ranges::for_each(path->points, move);
+            path->pen.width *= scale;
+        }
+        if (auto* disc = std::get_if<DrawnDisc>(&item)) {
+            move(disc->centre);
+            disc->radius *= scale;
+            disc->pen.width *= scale;
+        }
+        if (auto* text = std::get_if<DrawnText>(&item)) move(text->at);
+    }
+    for (PlotPlace& place : drawing.places)
+        place.box = {scale * place.box.left, scale * place.box.top, scale * place.box.right, scale * place.box.bottom};
+}
+
 PlotPoint PlotPlace::pixel(const PlotPoint& value) const {
     return {box.left + x.share(value.x) * (box.right - box.left), box.bottom - y.share(value.y) * (box.bottom - box.top)};
 }

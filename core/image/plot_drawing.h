@@ -63,9 +63,13 @@ struct PlotStyle {
 
 /// Everything that is drawn at another place.
 void moveBy(PlotDrawing& drawing, const PlotPoint& by);
+/// Everything that is drawn, larger about the upper left corner; letters are those of the style that it was laid out with.
+void scaleBy(PlotDrawing& drawing, double scale);
 
 /// The size of a plot in a file, pixels.
 inline constexpr double kPlotWidth = 960.0, kPlotHeight = 480.0;
+/// Of the letters (em) in such a file, pixels.
+inline constexpr double kPlotLetters = 13.0;
 
 /// Draws plots beside each other, below each other where there is little width, with the first one's legend for all of them:
 /// beside them where they are wide, else below. No text is cut. One plot at least.

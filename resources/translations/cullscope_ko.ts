@@ -6888,10 +6888,6 @@
         <translation>광선 %1: 각 셀의 삼각형의 R과 나란히 놓은 광선의 R</translation>
     </message>
     <message>
-        <source>way from where it enters the sphere</source>
-        <translation>구로 들어가는 곳부터의 거리</translation>
-    </message>
-    <message>
         <source>R of the triangles of a cell</source>
         <translation>셀의 삼각형의 R</translation>
     </message>
@@ -7626,6 +7622,22 @@
     <message>
         <source>height of the walls, as a share of the scene&apos;s; 0: there are none</source>
         <translation>장면 높이에 대한 담장 높이의 비율, 0: 담장 없음</translation>
+    </message>
+    <message>
+        <source>θ, from the z axis</source>
+        <translation>θ, z축에서 잰 각</translation>
+    </message>
+    <message>
+        <source>φ, from the x axis to the foot of P</source>
+        <translation>φ, x축에서 P의 발까지</translation>
+    </message>
+    <message>
+        <source>foot of P in the plane of x and y</source>
+        <translation>xy 평면에 내린 P의 발</translation>
+    </message>
+    <message>
+        <source>way inside the sphere, from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
+        <translation>구 안의 경로, 칸 (θ, φ): (%1, %2)에서 (%3, %4)까지</translation>
     </message>
 </context>
 <context>

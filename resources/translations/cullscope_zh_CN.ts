@@ -6888,10 +6888,6 @@
         <translation>射线 %1：其 R 与各单元三角形的 R 对照</translation>
     </message>
     <message>
-        <source>way from where it enters the sphere</source>
-        <translation>自进入球处起的距离</translation>
-    </message>
-    <message>
         <source>R of the triangles of a cell</source>
         <translation>单元中三角形的 R</translation>
     </message>
@@ -7626,6 +7622,22 @@
     <message>
         <source>height of the walls, as a share of the scene&apos;s; 0: there are none</source>
         <translation>围墙高度与场景高度之比；0：没有围墙</translation>
+    </message>
+    <message>
+        <source>θ, from the z axis</source>
+        <translation>θ，从 z 轴量起</translation>
+    </message>
+    <message>
+        <source>φ, from the x axis to the foot of P</source>
+        <translation>φ，从 x 轴到 P 的垂足</translation>
+    </message>
+    <message>
+        <source>foot of P in the plane of x and y</source>
+        <translation>P 在 xy 平面上的垂足</translation>
+    </message>
+    <message>
+        <source>way inside the sphere, from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
+        <translation>球内路程，经过单元 (θ, φ)：从 (%1, %2) 到 (%3, %4)</translation>
     </message>
 </context>
 <context>

@@ -24,7 +24,7 @@ TEST_F(CullbenchContract, figureWritesPictureAndDataTogether) {
     const ProcessResult result = cullbench({"figure", "6", kBody, "-o", file("f.png"), "--json", file("f.json"), "--csv", "-"});
     ASSERT_EQ(result.exitStatus, 0) << result.err;
     const Picture picture = readPicture(file("f.png"));
-    EXPECT_EQ(picture.size.width, 900);
+    EXPECT_EQ(picture.size.width, 1280);
     EXPECT_THAT(picture.metadata, testing::Contains(testing::Pair("cullscope:figure", HasSubstr("Figure 6"))));
     const json table = json::parse(textOf(file("f.json")))["experiments"][0];
     EXPECT_EQ(size_t(std::ranges::count(result.out, '\n')), table["rows"].size() + 1);

@@ -22,7 +22,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr QSize kFiguresSize{980, 860};
-constexpr double kLetters = 13.0;  // pixels
+constexpr double kShownWidth = 900.0;  // of a figure, pixels of the desktop; files have more
 constexpr int kPoses = 12;
 constexpr int kPaperScene = 0, kOpenScene = 1;  // in the list of scenes
 
@@ -126,10 +126,7 @@ void FiguresDialog::draw() {
         m_work.cancel();
         return refuse({QT_TRANSLATE_NOOP("core", "No scene is open."), {}});
     }
-    han_hong::FigureRequest request;
-    request.number = number;
-    request.scene = open ? m_session.scene() : m_bunny;
-    request.strategy = strategyFromText(han_hong::figureStrategy(number));
+    han_hong::FigureRequest request = han_hong::figureRequest(number, open ? m_session.scene() : m_bunny);
     request.pose = size_t(m_pose->value() - 1);
     if (ofOneCase(number)) request.onlyCase = m_cases->currentIndex() + 1;
     const std::string specification = open && m_session.opened() ? m_session.opened()->specification : han_hong::kBunny;
@@ -141,8 +138,8 @@ void FiguresDialog::draw() {
             if (!request.scene) request.scene = openScene(specification, source, progress).scene;
             // An OpenGL context belongs to the thread that made it.
             const HeadlessContext gl;
-            const Letters letters(kLetters);
-            PageLook look{pageStyle(letters), [](const Words& words) { return translated(words).toStdString(); }};
+            const Letters letters(request.scale * kPlotLetters);
+            PageLook look{pageStyle(letters, request.scale), [](const Words& words) { return translated(words).toStdString(); }};
             han_hong::Figure figure = han_hong::figure(request, look, progress);
             figure.data.scene = specification;
             figure.data.gl = gl.info();
@@ -172,7 +169,9 @@ void FiguresDialog::showPage(Page page) {
     if (page.bunny) m_bunny = std::move(page.bunny);
     m_figure = std::move(page.figure);
     m_picture = std::move(page.picture);
-    m_shown->setPixmap(QPixmap::fromImage(m_picture));
+    QPixmap shown = QPixmap::fromImage(m_picture);
+    shown.setDevicePixelRatio(m_picture.width() / kShownWidth);
+    m_shown->setPixmap(shown);
     showState();
     emit drawn();
 }

@@ -30,6 +30,7 @@ han_hong::Figure made(int number, const ScenePointer& scene, const std::function
     request.scene = scene;
     request.strategy = strategyFromText("spherical");
     request.width = 600.0;
+    request.scale = 1.0;
     if (change) change(request);
     PageLook look;
     look.style = svgStyle();
@@ -64,6 +65,14 @@ size_t rowsOf(const ResultTable& table, const std::string& kind) {
 TEST(HanHongFigures, fiveToEightShowTheSameBands) {
     for (const int number : {6, 7, 8}) EXPECT_EQ(han_hong::figureStrategy(number), han_hong::figureStrategy(5)) << number;
     EXPECT_NE(han_hong::figureStrategy(5), han_hong::figureStrategy(4));
+    // Where nothing is asked for, as in a report: there the command below a figure draws the same.
+    for (int number = 1; number <= han_hong::kFigures; ++number) {
+        const han_hong::FigureRequest request = han_hong::figureRequest(number, nullptr);
+        const StrategyRequest strategy = strategyFromText(han_hong::figureStrategy(number));
+        EXPECT_EQ(request.number, number);
+        EXPECT_EQ(request.strategy.id, strategy.id);
+        EXPECT_EQ(request.strategy.parameters, strategy.parameters) << number;
+    }
 }
 
 TEST(HanHongFigures, eachHasATitleAndStaysOnItsPage) {
@@ -78,10 +87,34 @@ TEST(HanHongFigures, eachHasATitleAndStaysOnItsPage) {
         for (const PagePicture& picture : figure.page.pictures) {
             EXPECT_LE(picture.corner.x + picture.size.width, figure.page.width);
             EXPECT_LE(picture.corner.y + picture.size.height, figure.page.height);
-            EXPECT_EQ(picture.rgba.size(), size_t(picture.size.width) * size_t(picture.size.height) * 4);
+            const Viewport pixels = figure.page.pixelsOf(picture.size);
+            EXPECT_EQ(picture.rgba.size(), size_t(pixels.width) * size_t(pixels.height) * 4);
         }
     }
     EXPECT_THAT(refusalOf([&] { (void)made(9, scene); }, ErrorKind::Usage), testing::HasSubstr("There is no Figure 9"));
+}
+
+TEST(HanHongFigures, sharperOnesHaveTheSameWordsAtTheSamePlaces) {
+    const ScenePointer scene = body();
+    for (int number = 1; number <= han_hong::kFigures; ++number) {
+        SCOPED_TRACE(number);
+        const auto ofScale = [&](double scale) {
+            return made(number, scene, [&](han_hong::FigureRequest& request) { request.scale = scale; }).page;
+        };
+        const Page coarse = ofScale(0.5), sharp = ofScale(1.5);
+        EXPECT_EQ(coarse.height, sharp.height);
+        std::vector<const DrawnText*> texts[2];
+        for (const Page* page : {&coarse, &sharp})
+            for (const auto& item : page->drawing.items)
+                if (const auto* text = std::get_if<DrawnText>(&item)) texts[page == &sharp].push_back(text);
+        ASSERT_EQ(texts[0].size(), texts[1].size());
+        for (size_t i = 0; i < texts[0].size(); ++i) {
+            // Which pixels show a loss depends on how many there are.
+            if (!texts[0][i]->words.starts_with("visible, but hidden by S")) EXPECT_EQ(texts[0][i]->words, texts[1][i]->words);
+            EXPECT_NEAR(texts[0][i]->at.x, texts[1][i]->at.x, 3.0) << texts[0][i]->words;
+            EXPECT_NEAR(texts[0][i]->at.y, texts[1][i]->at.y, 3.0) << texts[0][i]->words;
+        }
+    }
 }
 
 TEST(HanHongFigures, fourHasTicksAxesLegendAndTheCaseOfEachMap) {

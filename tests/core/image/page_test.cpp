@@ -117,6 +117,31 @@ TEST(Page, asAPictureHasAllOfIt) {
     EXPECT_GT(letterPixels, 40u);
 }
 
+TEST(Page, ofTwiceTheScaleHasTwiceThePixelsOfEverything) {
+    Page page = samplePage();
+    page.scale = 2.0;
+    PagePicture& picture = page.pictures.front();
+    const std::vector<uint8_t> once = std::exchange(picture.rgba, {});
+    for (size_t y = 0; y < 60; ++y)
+        for (size_t x = 0; x < 80; ++x)
+            for (size_t c = 0; c < 4; ++c) picture.rgba.push_back(once[4 * (y / 2 * 40 + x / 2) + c]);
+    const Letters letters(13.0), large(26.0);
+    const Picture small = pagePicture(samplePage(), letters), sharp = pagePicture(page, large);
+    ASSERT_EQ(sharp.size, (Viewport{240, 160}));
+    const auto at = [](const Picture& from, int x, int y) {
+        const uint8_t* pixel = &from.rgba[4 * (size_t(from.size.height - 1 - y) * size_t(from.size.width) + size_t(x))];
+        return std::array<int, 3>{pixel[0], pixel[1], pixel[2]};
+    };
+    // Apart from the letters, whose outlines are sharper, and the line's ends.
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 218; ++x)
+            if (x < 116 || x > 122 || y < 16 || y > 24) EXPECT_EQ(at(sharp, x, y), at(small, x / 2, y / 2)) << x << " " << y;
+    EXPECT_NEAR(pageStyle(large, 2.0).height, pageStyle(letters).height, 1.0);
+    EXPECT_NEAR(pageStyle(large, 2.0).width("words"), pageStyle(letters).width("words"), 2.0);
+    EXPECT_THAT(pageSvg(page), HasSubstr("viewBox=\"0 0 120 80\"")) << "units do not change";
+    EXPECT_THAT(pageSvg(page), HasSubstr("<image x=\"10\" y=\"20\" width=\"40\" height=\"30\""));
+}
+
 TEST(Page, asSvgKeepsWordsAsWordsAndThePictureAsOne) {
     const std::string svg = pageSvg(samplePage());
     EXPECT_THAT(svg, HasSubstr("viewBox=\"0 0 120 80\""));
