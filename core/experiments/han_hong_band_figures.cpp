@@ -45,8 +45,8 @@ public:
 private:
     [[nodiscard]] const ContourBands& bands() const { return *m_map->decision.bands; }
 
-    /// The one camera of Figures 5 to 8: the axis across the picture with the eye to the right, S upward; far beyond 90°, where S
-    /// decides, the surface is turned towards it.
+    /// The one camera of Figures 5 to 8, a parallel one: the axis across the picture with the eye to the right, S upward; far
+    /// beyond 90°, where S decides, the surface is turned towards it.
     [[nodiscard]] View observer(const Viewport& size) const {
         constexpr double kAway = 4.4, kRise = 0.2, kAbove = 1.2;  // radii; share of the distance; room for an axis, radii
         const Angle behind = Angle::fromDegrees(22.0);
@@ -59,6 +59,7 @@ private:
         camera.target = sphere.centre;
         camera.eye = sphere.centre + kAway * sphere.radius * glm::normalize(across + kRise * outward);
         camera.up = outward;
+        camera.projection = ProjectionKind::Parallel;
         std::vector<Vec3> places = wholeSphere(camera);
         places.push_back(sphere.centre + kAbove * sphere.radius * outward);
         return fitted(camera, places, size);
@@ -71,7 +72,7 @@ private:
     }
     void addCameraWords() {
         addSentence(
-            CULLSCOPE_TR("Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, "
+            CULLSCOPE_TR("Seen by one camera in Figures 5 to 7: beside the sight ray, which comes from the right, "
                          "and a little from behind."));
     }
     void addAngleWords() {
@@ -88,15 +89,16 @@ private:
         addCameraWords();
         addAngleWords();
         const Viewport size = pictureSize();
-        addPicture(size, drawn(m_log, observer(size), {"bands", "back-sides"}));
+        // All of the object: here it is sampled, and what is hidden is left out later.
+        addPicture(size, drawn(frameOfAll(m_culling), observer(size), {},
+                               [&](const OverlayContext& context) { return spherical::bandOverlay(context, {*m_map}); }));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
         addLegendBelow(
             {{{Shape::Line, stateColour(TriangleState::Visible), 1.0}, say(CULLSCOPE_TR("contour of a band that is drawn"))},
              {{Shape::Line, stateColour(TriangleState::Hidden), 1.0}, say(CULLSCOPE_TR("contour of a band that is hidden"))},
              {{Shape::Line, dark, 2.5}, "α = 90°"},
              {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
-             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))},
-             backSign()},
+             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
             size.height);
         addMap(m_log, "entries");
     }
@@ -123,7 +125,7 @@ private:
         addLabel(viewing, projection.arc[projection.arc.size() / 3], {0.0, -12.0}, "α");
         addLabel(viewing, projection.top, {0.0, -10.0}, say(CULLSCOPE_TR("perpendicular axis")));
         // Beside the upper end of its length, where no bar of a band stands.
-        addLabel(viewing, glm::mix(projection.origin, projection.onPerpendicular, 0.94), {62.0, 0.0}, "S = R · sin α",
+        addLabel(viewing, glm::mix(projection.origin, projection.onPerpendicular, 0.94), {54.0, 4.0}, "S = R · sin α",
                  plotColour(spherical::sizeColour(m_style.background)));
         addLabel(viewing, projection.start, {0.0, 16.0}, say(CULLSCOPE_TR("to the eye")));
     }
@@ -132,11 +134,12 @@ private:
         const PlotColour green = plotColour(spherical::sizeColour(m_style.background));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
         std::vector<PageLegendEntry> entries{
-            {{Shape::Letter, green}, say(CULLSCOPE_TR("the largest S: from the axis to the surface"))},
+            {{Shape::Letter, green}, say(CULLSCOPE_TR("the largest S: from the sight ray through O to the surface"))},
             {{Shape::Line, green, 2.0}, say(CULLSCOPE_TR("S of a band that is drawn"))},
             {{Shape::Dashed, green, 2.0}, say(CULLSCOPE_TR("S of a band that is hidden"))},
             {{Shape::Dashed, green, 1.0},
-             say(CULLSCOPE_TR("level of the largest S: beyond α = 90° what stays below it is hidden"))},
+             say(CULLSCOPE_TR(
+                 "level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden"))},
             {{Shape::Line, green, 1.0}, say(CULLSCOPE_TR("edges of the sector and its bands"))},
             {{Shape::Line, plotColour(projectionColour()), 2.0}, say(CULLSCOPE_TR("R of the largest S, from the origin O"))},
             {{Shape::Dashed, plotColour(projectionColour()), 1.5}, say(CULLSCOPE_TR("its projection on the perpendicular axis"))},
@@ -166,19 +169,19 @@ private:
         addSentence(CULLSCOPE_TR("White cells: no triangle has its centroid there."));
     }
 
-    /// Four pictures: the paper's two, from the eye and from the opposite side, and below them what shows that the surface is an
-    /// open shell: from the side, and cut open.
+    /// Three pictures: the paper's two, from the eye and from the opposite side, and from the side, which shows that the surface
+    /// is an open shell.
     void frontAndBack() {
         if (const CellMapPointer map = strategy().directionMap("index-map", m_log)) addWords(map->decisionWords);
-        const int half = int(inner() - kBesideBands) / 2;
-        const Viewport size{half, half * 3 / 4};
+        const int third = int(inner() - 2 * kBesideBands) / 3;
+        const Viewport size{third, third};
         const Vec3& centre = scene().boundingSphere().centre;
         const Camera front = m_culling.camera();
         Camera behind = front;
         behind.eye = 2.0 * centre - front.eye;
         behind.target = 2.0 * centre - front.target;
         const View eye = fitted(front, wholeSphere(front), size), opposite = fitted(behind, wholeSphere(behind), size);
-        View side = observer(size);
+        const View side = observer(size);
 
         std::vector<uint8_t> seen = drawn(m_log, eye, {"back-sides"});
         const double lost = markLost(m_log, eye, seen);
@@ -188,21 +191,13 @@ private:
         std::vector<uint8_t> beside = drawn(m_log, side, {"back-sides", "ghost"}, rim);
         darkenHollow(m_log, side, beside);
         addPictures(size, {{std::move(seen), CULLSCOPE_TR("front: from the eye")},
-                           {std::move(back), CULLSCOPE_TR("back: from the opposite side, into the hollow shell")}});
-
-        const Plane section = sectionThroughAxis();
-        side.cutBy(section);
-        std::vector<uint8_t> open = drawnOpen(side, section);
-        darkenHollow(m_log, side, open);
-        addPictures(size, {{std::move(beside), CULLSCOPE_TR("from the side, as in Figures 5 to 7, with what is left out")},
-                           {std::move(open), CULLSCOPE_TR("the same cut open along the sight ray")}});
+                           {std::move(back), CULLSCOPE_TR("back: from the opposite side, into the hollow shell")},
+                           {std::move(beside), CULLSCOPE_TR("from the side, as in Figures 5 to 7, with what is left out")}});
         const PlotColour dark = plotColour(contrastTo(m_style.background));
         addLegendBelow({{{Shape::Area, plotColour(m_style.surface)}, say(CULLSCOPE_TR("front sides of what is drawn"))},
                         {{Shape::Area, plotColour(backColour(m_style.background))},
                          say(CULLSCOPE_TR("its back sides, seen from within: the darker, the deeper in the hollow"))},
                         {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("rim of what is drawn: there the shell ends"))},
-                        {{Shape::Line, dark, 2.5}, say(CULLSCOPE_TR("cut through the shell"))},
-                        {{Shape::Line, plotColour(paleLine(m_style)), 2.5}, say(CULLSCOPE_TR("cut through what is not drawn"))},
                         {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
                         {{Shape::Area, stateColour(TriangleState::WronglyCulled)},
                          m_look.say({CULLSCOPE_TR("visible, but hidden by S: %1 of the pixels that the object covers"),
@@ -210,25 +205,11 @@ private:
                        0.0);
     }
 
-    /// What is drawn of the object behind the section, and the section.
-    [[nodiscard]] std::vector<uint8_t> drawnOpen(const View& given, const Plane& section) {
-        const View viewing = sharp(given);
-        DrawStyle style = m_style;
-        style.back = backColour(style.background);
-        Framebuffer target(viewing.viewport());
-        m_renderer.draw(m_buffers, viewing, m_log, target, style);
-        const OverlayContext context{scene(), viewing, m_style, verdictPalette(m_style.background),
-                                     contrastTo(m_style.background)};
-        for (const OverlayLines& lines : cutOf(context, statesAgainstTruth(m_log), section))
-            drawOverlay(m_renderer, viewing, lines, m_style, target);
-        return target.readColour();
-    }
-
     struct NamedPicture {
         std::vector<uint8_t> rgba;
         const char* name = "";
     };
-    /// Two pictures beside each other with their names below.
+    /// Pictures beside each other with their names below.
     void addPictures(const Viewport& size, std::vector<NamedPicture> pictures) {
         double left = kMargin, below = m_bottom;
         for (NamedPicture& picture : pictures) {
@@ -240,19 +221,10 @@ private:
         m_bottom = below + 6.0;
     }
 
-    /// The plane of the axis and the shown sector's middle; what lies behind it, seen by the observer, is kept.
-    [[nodiscard]] Plane sectionThroughAxis() const {
-        const MapPlace place(scene(), *m_map);
-        const Vec3 axis = place.linear() * bands().axis;
-        const Vec3 outward = place.linear() * bands().direction(kRightAngle, (m_sector + 0.5) * kTurn / bands().sectors);
-        const Vec3 normal = glm::normalize(glm::cross(outward, axis));
-        return {normal, -glm::dot(normal, place.world(Vec3(0.0)))};
-    }
-
     /// Makes back sides the darker, the deeper they lie in the hollow, seen from where it opens: evenly lit, a hollow looks like
     /// a body.
     void darkenHollow(const FrameLog& log, const View& given, std::vector<uint8_t>& rgba) {
-        constexpr double kDarkest = 0.25;
+        constexpr double kDarkest = 0.4;
         const View viewing = sharp(given);
         const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
         const Vec3 origin = MapPlace(scene(), *m_map).world(Vec3(0.0));
@@ -261,11 +233,11 @@ private:
         for (size_t pixel = 0; pixel < depths.size(); ++pixel) {
             if (shown.triangle[pixel] == 0) continue;
             const auto width = size_t(viewing.viewport().width);
-            const Vec3 place = viewing.pointAt(double(pixel % width) + 0.5, double(pixel / width) + 0.5,
-                                               viewing.distanceFromDepth(shown.depth[pixel]));
+            const double x = double(pixel % width) + 0.5, y = double(pixel / width) + 0.5;
+            const Vec3 place = viewing.pointAt(x, y, viewing.distanceFromDepth(shown.depth[pixel]));
             const std::array<Vec3, 3> corners = cornersInWorld(scene(), shown.triangle[pixel] - 1);
             const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-            if (glm::dot(normal, viewing.eye() - place) < 0.0) depths[pixel] = std::max(glm::dot(place - origin, axis), 0.0);
+            if (glm::dot(normal, viewing.direction(x, y)) > 0.0) depths[pixel] = std::max(glm::dot(place - origin, axis), 0.0);
         }
         const double deepest = std::ranges::max(depths);
         for (size_t pixel = 0; pixel < depths.size() && deepest > 0.0; ++pixel) {

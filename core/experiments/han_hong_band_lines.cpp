@@ -18,7 +18,6 @@ using namespace spherical;
 // Widths and radii in units (DrawStyle::unit).
 constexpr float kContourWidth = 1.0f, kAxisWidth = 1.5f, kRadiusWidth = 2.0f, kCutWidth = 2.5f;
 constexpr double kOriginRadius = 3.5;
-constexpr float kPaleShare = 0.6f;  ///< share of the background's colour in what is pale
 // Shares of the bounding sphere's radius.
 constexpr double kAxisTop = 1.1, kAlphaRadius = 0.22, kSquareSide = 0.06, kProjectionDash = 0.035, kAxisArrow = 0.05;
 constexpr uint32_t kProjectionOrange = 0xC44E00;
@@ -165,28 +164,6 @@ OverlayLines rimOf(const OverlayContext& context, const FrameLog& log) {
         rim.lines.push_back({at(edges[i].low), at(edges[i].high), context.contrast});
     }
     return rim;
-}
-
-Vec3f paleLine(const DrawStyle& style) { return glm::mix(contrastTo(style.background), style.background, kPaleShare); }
-
-std::vector<OverlayLines> cutOf(const OverlayContext& context, const TriangleStates& states, const Plane& plane) {
-    OverlayLines drawn{{}, {kCutWidth, false}}, left{{}, {kCutWidth, false}};
-    const Vec3f pale = paleLine(context.style);
-    for (uint64_t triangle = 0; triangle < context.scene.triangleCount(); ++triangle) {
-        const std::array<Vec3, 3> corners = cornersInWorld(context.scene, triangle);
-        std::vector<Vec3> ends;
-        for (size_t i = 0; i < 3; ++i) {
-            const double a = plane.distance(corners[i]), b = plane.distance(corners[(i + 1) % 3]);
-            if ((a < 0.0) != (b < 0.0)) ends.push_back(glm::mix(corners[i], corners[(i + 1) % 3], a / (a - b)));
-        }
-        if (ends.size() != 2) continue;
-        const TriangleState state = states.states[triangle];
-        if (state == TriangleState::Visible || state == TriangleState::InVain)
-            drawn.lines.push_back({ends[0], ends[1], context.contrast});
-        else
-            left.lines.push_back({ends[0], ends[1], pale});
-    }
-    return {std::move(left), std::move(drawn)};
 }
 
 std::optional<Projection> projectionOf(const Scene& scene, const MapSnapshot& map, const std::vector<SizePlace>& sizes) {

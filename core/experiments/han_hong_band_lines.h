@@ -21,11 +21,6 @@ namespace cullscope::han_hong {
 /// The rim of what a frame draws: the edges of which only one triangle is drawn.
 [[nodiscard]] OverlayLines rimOf(const OverlayContext& context, const FrameLog& log);
 
-/// Where a plane cuts the surfaces: strong where they are drawn, pale where not.
-[[nodiscard]] std::vector<OverlayLines> cutOf(const OverlayContext& context, const TriangleStates& states, const Plane& plane);
-/// The colour of what is pale.
-[[nodiscard]] Vec3f paleLine(const DrawStyle& style);
-
 /// How the largest S of a sector comes about, in world coordinates: R from the origin to its place on the surface, projected on
 /// the axis perpendicular to the sight ray.
 struct Projection {

@@ -72,7 +72,12 @@ void addBox(OnSurface& surface, const CellBox& box, const SphericalGrid& grid, c
 
 }  // namespace
 
-Vec3 raised(const OverlayContext& context, const Vec3& place) { return glm::mix(place, context.viewing.eye(), kRaised); }
+Vec3 raised(const OverlayContext& context, const Vec3& place) {
+    const View& viewing = context.viewing;
+    const Vec3 toEye = viewing.eye() - place;
+    if (viewing.camera().projection == ProjectionKind::Perspective) return place + kRaised * toEye;
+    return place + kRaised * glm::dot(toEye, viewing.frustum().forward) * viewing.frustum().forward;
+}
 
 std::vector<OverlayLines> searchOnSurface(const OverlayContext& context, const MapSnapshot& map) {
     const MapPlace place(context.scene, map);

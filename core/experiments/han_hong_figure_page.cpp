@@ -82,11 +82,7 @@ PageLegendEntry FigurePage::stateEntry(TriangleState state) const {
     return {{PageSign::Shape::Area, stateColour(state)}, say(triangleStateName(state))};
 }
 
-View FigurePage::sharp(const View& viewing) const {
-    View result(viewing.camera(), m_page.pixelsOf(viewing.viewport()));
-    result.cutBy(viewing.section());
-    return result;
-}
+View FigurePage::sharp(const View& viewing) const { return {viewing.camera(), m_page.pixelsOf(viewing.viewport())}; }
 
 FrameLog FigurePage::frameOf(const View& culling, size_t view) {
     GpuFrame frame(m_renderer, m_buffers, culling, true);
@@ -132,17 +128,26 @@ Camera FigurePage::beside(const View& culling, double turn, double rise, double 
 View FigurePage::fitted(Camera camera, const std::vector<Vec3>& places, const Viewport& size) const {
     constexpr double kRoom = 1.05;
     constexpr int kTurns = 4;  // turned towards the middle, a camera sees it a little elsewhere
+    const bool parallel = camera.projection == ProjectionKind::Parallel;
     camera.fovy = Angle::fromDegrees(60.0);
     for (int turn = 0; turn < kTurns; ++turn) {
         const Frustum frustum = View(camera, size).frustum();
         Vec2 low(1e9), high(-1e9);
         for (const Vec3& place : places) {
             const Vec3 to = place - camera.eye;
-            const Vec2 at = Vec2(glm::dot(to, frustum.right), glm::dot(to, frustum.up)) / glm::dot(to, frustum.forward);
+            const double ahead = parallel ? 1.0 : glm::dot(to, frustum.forward);
+            const Vec2 at = Vec2(glm::dot(to, frustum.right), glm::dot(to, frustum.up)) / ahead;
             low = glm::min(low, at);
             high = glm::max(high, at);
         }
         const Vec2 middle = 0.5 * (low + high), half = 0.5 * kRoom * (high - low);
+        if (parallel) {
+            const Vec3 by = middle.x * frustum.right + middle.y * frustum.up;
+            camera.eye += by;
+            camera.target += by;
+            camera.height = 2.0 * std::max(half.y, half.x * size.height / size.width);
+            continue;
+        }
         camera.target = camera.eye + glm::length(camera.target - camera.eye) *
                                          glm::normalize(frustum.forward + middle.x * frustum.right + middle.y * frustum.up);
         camera.fovy = Angle::fromRadians(2.0 * std::atan(std::max(half.y, half.x * size.height / size.width)));
@@ -232,7 +237,7 @@ void FigurePage::addLabel(const View& viewing, const Vec3& place, const Vec2& as
 
 void FigurePage::addPlate(const PlotPoint& from, const std::string& words, std::optional<PlotColour> colour) {
     constexpr double kAround = 2.0;
-    constexpr PlotColour kGround = 0xC8FFFFFF;
+    constexpr PlotColour kGround = 0xFFFFFFFF;
     const PagePicture& picture = m_page.pictures.back();
     const PlotStyle& style = m_look.style;
     const double wide = style.width(words);
@@ -258,6 +263,8 @@ void FigurePage::addMap(const FrameLog& log, const char* colouring, const Triang
     const CellMapPointer map = m_strategy->directionMap("index-map", log);
     if (!map) refuse();
     CellMap shown = *map;
+    if (std::ranges::none_of(shown.marks, [](const MapMark& mark) { return mark.symbol == MapSymbol::Miss; }))
+        std::erase_if(shown.legend, [](const MapLegendEntry& entry) { return entry.symbol == MapSymbol::Miss; });
     if (truth != nullptr)
         shown.source = std::make_shared<TrueStates>(map->source, *truth, scene().firstTriangle(map->object), map->grid);
     // A page has room for every circle.

@@ -43,7 +43,8 @@ protected:
     /// A camera beside a culling view, turned about the scene's middle by degrees to the side and up; `distance` in radii,
     /// `towardsEye`: how far its target lies from the middle towards the culling eye, as a share of that distance.
     [[nodiscard]] Camera beside(const View& culling, double turn, double rise, double distance, double towardsEye = 0.0) const;
-    /// The same camera, turned and with the lens with which these places fill a picture; they must lie before its eye.
+    /// The same camera, turned and with the lens or, of a parallel one, moved and of the height with which these places fill a
+    /// picture; they must lie before its eye.
     [[nodiscard]] View fitted(Camera camera, const std::vector<Vec3>& places, const Viewport& size) const;
     /// The outermost places of the scene's bounding sphere that a camera sees: to the left, to the right, above and below.
     [[nodiscard]] std::vector<Vec3> wholeSphere(const Camera& camera) const;

@@ -55,7 +55,10 @@ public:
     [[nodiscard]] Figure maps() {
         for (const int number : {1, 2, 3}) {
             if (m_request.onlyCase.value_or(number) != number) continue;
-            addMap(frameOf(viewOfCase(number), size_t(number)), "entries");
+            const FrameLog log = frameOf(viewOfCase(number), size_t(number));
+            addMap(log, "entries");
+            const uint64_t drawn = drawnTriangles(scene(), log).triangleCount();
+            addWords({CULLSCOPE_TR("Drawn: %1 of %2 triangles"), {Term::count(drawn), Term::count(scene().triangleCount())}});
             m_bottom += 8.0;
         }
         return finish();

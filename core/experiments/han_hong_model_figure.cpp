@@ -25,7 +25,7 @@ constexpr PlotColour opaque(uint32_t colour) { return 0xFF000000 | colour; }
 // Shares of the bounding sphere's radius.
 constexpr double kModelAxis = 1.3, kModelArrow = 0.05, kModelArc = 0.3, kFootDash = 0.04;
 constexpr double kPointRadius = 4.0;                     // in units
-constexpr float kModelLine = 1.5f, kBehindShare = 0.6f;  // of what lies behind the surface, the background's share
+constexpr float kModelLine = 2.0f, kBehindShare = 0.6f;  // of what lies behind the surface, the background's share
 
 class ModelFigure : private FigurePage {
 public:
@@ -47,10 +47,13 @@ public:
         for (size_t i = 0; i < ramp.size(); ++i)
             entries.push_back({{Shape::Area, plotColour(ramp[i])},
                                fmt::format("R = {:.2f}", double(i) / (ramp.size() - 1) * scene().boundingSphere().radius)});
-        entries.push_back({{Shape::Line, opaque(kThetaBlue), 2.0}, say(CULLSCOPE_TR("θ, from the z axis"))});
-        entries.push_back({{Shape::Line, opaque(kPhiGreen), 2.0}, say(CULLSCOPE_TR("φ, from the x axis to the foot of P"))});
+        entries.push_back({{Shape::Line, opaque(kThetaBlue), 2.0}, say(CULLSCOPE_TR("θ, zenith angle from the z axis"))});
+        entries.push_back(
+            {{Shape::Line, opaque(kPhiGreen), 2.0}, say(CULLSCOPE_TR("φ, azimuth from the x axis to the foot of P"))});
         entries.push_back({{Shape::Dashed, opaque(kFootGrey), 1.5}, say(CULLSCOPE_TR("foot of P in the plane of x and y"))});
         entries.push_back({{Shape::Dot, opaque(kRadiusRed)}, m_look.say({CULLSCOPE_TR("the same point P in both"), {}})});
+        m_bottom = addText(m_page, say(CULLSCOPE_TR("The map shows the outermost surface in each direction from O.")),
+                           {kMargin, m_bottom + 4.0}, inner(), m_look.style, m_look.style.text);
         addLegendBelow(entries, 0.0);
         return finish();
     }
@@ -80,7 +83,8 @@ private:
         const double radius = m_sphere.radius;
         std::vector<Vec3> places = wholeSphere(wholeView().camera());
         for (int axis = 0; axis < 3; ++axis) places.push_back(world(axisEnd(axis)));
-        const View view = fitted(wholeView().camera(), places, size);
+        // In a parallel picture what is parallel to an axis looks so.
+        const View view = fitted(inParallel(wholeView().camera()), places, size);
         addPicture(size, drawn(m_log, view, {}, [&](const OverlayContext& context) { return coordinateLines(context); }));
         static constexpr std::array kNames{"x, φ = 0°", "y, φ = 90°", "z, θ = 0°"};
         for (int axis = 0; axis < 3; ++axis) addAxisName(view, world(axisEnd(axis)), kNames[size_t(axis)]);
@@ -94,7 +98,7 @@ private:
     }
     /// Beyond the axis' arrow.
     void addAxisName(const View& view, const Vec3& end, const std::string& name) {
-        constexpr double kBeyond = 12.0;
+        constexpr double kBeyond = 17.0;
         const std::optional<PlotPoint> from = placeIn(view, world(Vec3(0.0))), to = placeIn(view, end);
         if (!from || !to) return;
         const Vec2 way = glm::normalize(Vec2(to->x - from->x, to->y - from->y));

@@ -23,6 +23,7 @@ constexpr PlotColour kHitRed = 0xFFDB1414, kCellBlue = 0xFF9EBCE0, kHitCell = 0x
 constexpr double kWholeHeight = 0.6, kNearWidth = 0.42, kNearHeight = 0.36;  ///< shares of the page's inner width
 constexpr double kBesideSearch = 8.0;
 constexpr double kNumberAside = 15.0;
+constexpr double kShownOfWay = 0.3;  ///< of a ray's way inside the sphere, in the plot
 
 class SearchFigure : private FigurePage {
 public:
@@ -128,29 +129,34 @@ private:
         if (!ray.hit || !ray.span) return;
         const double unit = glm::length(ray.ray.direction);
         const auto along = [&](double t) { return unit * (t - ray.span->from); };
+        // Only the end of the way is shown, where both meet.
+        const double start = glm::mix(ray.hit->t, ray.span->from, kShownOfWay);
+        std::vector<WalkedCell> shown;
+        std::ranges::copy_if(ray.walkedCells, std::back_inserter(shown),
+                             [&](const WalkedCell& walked) { return walked.span.to > start; });
         LinePlot plot;
         plot.title = m_look.say(
             {CULLSCOPE_TR("Ray %1: its R beside that of the triangles of each cell"), {Term::plain(uint64_t(number + 1))}});
-        plot.x.title = wayWords(map.maps->grid(), ray.walkedCells);
+        plot.x.title = wayWords(map.maps->grid(), shown);
         plot.y.title = "R";
         PlotBars cells{say(CULLSCOPE_TR("R of the triangles of a cell")), kCellBlue, {}};
         PlotBars hit{say(CULLSCOPE_TR("of the cell in which one is hit")), kHitCell, {}};
-        for (const WalkedCell& walked : ray.walkedCells) {
+        for (const WalkedCell& walked : shown) {
             const SphericalMaps::Extent& extent = map.maps->extent(map.maps->grid().number(walked.cell));
             if (extent.empty()) continue;
             (walked.hit ? hit : cells)
                 .boxes.push_back(
-                    {std::max(along(walked.span.from), 0.0), extent.farthest, along(walked.span.to), extent.nearest});
+                    {along(std::max(walked.span.from, start)), extent.farthest, along(walked.span.to), extent.nearest});
         }
         plot.bars = {std::move(cells), std::move(hit)};
         std::vector<PlotPoint> points;
         for (int i = 0; i <= kSteps; ++i) {
-            const double t = glm::mix(ray.span->from, ray.hit->t, double(i) / kSteps);
+            const double t = glm::mix(start, ray.hit->t, double(i) / kSteps);
             points.push_back({along(t), glm::length(ray.ray.at(t))});
         }
         const PlotColour dark = plotColour(contrastTo(m_style.background));
         plot.lines = {plainLine(say(CULLSCOPE_TR("R of the ray")), points, {dark, 2.0})};
-        plot.marks = {{say(CULLSCOPE_TR("hit")), points.back(), PlotShape::Disc, {}, kHitRed}};
+        plot.marks = {{say(CULLSCOPE_TR("hit")), points.back(), PlotShape::Disc, {kHitRed, 2.5}, 0}};
         PlotDrawing drawing = drawPlots({plot}, kMargin + inner() - left, height, m_look.style);
         moveBy(drawing, {left, m_bottom});
         std::ranges::move(drawing.items, std::back_inserter(m_page.drawing.items));
@@ -161,7 +167,7 @@ private:
         const auto degrees = [](double angle) { return Term::name(fmt::format("{:.0f}°", angle * 180.0 / kPi)); };
         const auto theta = [&](const WalkedCell& walked) { return degrees(grid.thetaOf(walked.cell.row)); };
         const auto phi = [&](const WalkedCell& walked) { return degrees(grid.phiOf(walked.cell.column)); };
-        return m_look.say({CULLSCOPE_TR("way inside the sphere, from cell (θ, φ) = (%1, %2) to (%3, %4)"),
+        return m_look.say({CULLSCOPE_TR("end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)"),
                            {theta(cells.front()), phi(cells.front()), theta(cells.back()), phi(cells.back())}});
     }
 

@@ -69,7 +69,7 @@ PageSign signOf(MapSymbol symbol, const Vec3f& background) {
         case MapSymbol::Miss:
             return {PageSign::Shape::Cross, contrast, 2.0};
         case MapSymbol::Walked:
-            return {PageSign::Shape::Area, 0x73000000 | (contrast & 0xFFFFFF)};
+            return {PageSign::Shape::Area, 0xBF000000 | (contrast & 0xFFFFFF)};
         case MapSymbol::Box:
         case MapSymbol::Cell:
         case MapSymbol::Part:

@@ -23,7 +23,7 @@ constexpr double kCircleCasing = 0.75;  ///< narrower: circles are many, and cel
 constexpr double kDash = 6.0;
 constexpr double kMapMark = 4.5;
 constexpr double kLeastCell = 5.0;  ///< smaller cells are not outlined
-constexpr double kWalkedOpacity = 0.45;
+constexpr double kWalkedOpacity = 0.75;
 constexpr double kInsideOpacity = 0.22;
 
 constexpr Vec3f kRegionOnMap(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in the paper's Figure 4

@@ -29,14 +29,16 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
         lines.push_back({at(-1.0, 1.0), at(1.0, -1.0), colour});
         return;
     }
-    // A dot is a ring of half the radius whose line is wide enough to fill it.
+    // A dot is a ring of half the radius with spokes, which fill it however thin its lines are.
     const double ring = shape == MarkShape::Dot ? 0.5 : 1.0;
     const auto onRing = [&](int i) {
         const double angle = 2.0 * std::numbers::pi * i / kSides;
         return at(ring * std::cos(angle), ring * std::sin(angle));
     };
-    for (int i = 0; i < kSides; ++i) lines.push_back({onRing(i), onRing(i + 1), colour});
-    if (shape == MarkShape::Dot) lines.push_back({place, place, colour});
+    for (int i = 0; i < kSides; ++i) {
+        lines.push_back({onRing(i), onRing(i + 1), colour});
+        if (shape == MarkShape::Dot) lines.push_back({place, onRing(i), colour});
+    }
 }
 
 void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour) {

@@ -6276,10 +6276,6 @@
         <translation>한 부채꼴에서 폭 %1인 띠의 S</translation>
     </message>
     <message>
-        <source>the largest S: from the axis to the surface</source>
-        <translation>가장 큰 S: 축에서 표면까지</translation>
-    </message>
-    <message>
         <source>edges of the sector and its bands</source>
         <translation>부채꼴과 그 띠의 경계</translation>
     </message>
@@ -6824,10 +6820,6 @@
         <translation>클러스터 하나의 최대 삼각형 수. 그보다 많지 않은 물체는 클러스터 하나입니다.</translation>
     </message>
     <message>
-        <source>Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, and a little from behind.</source>
-        <translation>그림 5~8은 같은 카메라로 본 것임: 오른쪽에서 오는 시선의 옆, 조금 뒤쪽에서.</translation>
-    </message>
-    <message>
         <source>back sides of what is drawn</source>
         <translation>그려진 부분의 뒷면</translation>
     </message>
@@ -6838,10 +6830,6 @@
     <message>
         <source>to the eye</source>
         <translation>눈 쪽으로</translation>
-    </message>
-    <message>
-        <source>level of the largest S: beyond α = 90° what stays below it is hidden</source>
-        <translation>가장 큰 S의 높이: α = 90°를 넘어 그보다 낮은 부분은 가려짐</translation>
     </message>
     <message>
         <source>R of the largest S, from the origin O</source>
@@ -6864,20 +6852,8 @@
         <translation>뒷면: 반대쪽에서, 빈 껍질 속을 들여다봄</translation>
     </message>
     <message>
-        <source>the same cut open along the sight ray</source>
-        <translation>같은 것을 시선을 따라 잘라 연 모습</translation>
-    </message>
-    <message>
         <source>its back sides, seen from within: the darker, the deeper in the hollow</source>
         <translation>그 뒷면, 안쪽에서 봄: 움푹한 곳이 깊을수록 어두움</translation>
-    </message>
-    <message>
-        <source>cut through the shell</source>
-        <translation>껍질의 단면</translation>
-    </message>
-    <message>
-        <source>cut through what is not drawn</source>
-        <translation>그리지 않는 부분의 단면</translation>
     </message>
     <message>
         <source>the same point P in both</source>
@@ -7624,20 +7600,36 @@
         <translation>장면 높이에 대한 담장 높이의 비율, 0: 담장 없음</translation>
     </message>
     <message>
-        <source>θ, from the z axis</source>
-        <translation>θ, z축에서 잰 각</translation>
-    </message>
-    <message>
-        <source>φ, from the x axis to the foot of P</source>
-        <translation>φ, x축에서 P의 발까지</translation>
-    </message>
-    <message>
         <source>foot of P in the plane of x and y</source>
-        <translation>xy 평면에 내린 P의 발</translation>
+        <translation>P에서 xy 평면에 내린 수선의 발</translation>
     </message>
     <message>
-        <source>way inside the sphere, from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
-        <translation>구 안의 경로, 칸 (θ, φ): (%1, %2)에서 (%3, %4)까지</translation>
+        <source>Seen by one camera in Figures 5 to 7: beside the sight ray, which comes from the right, and a little from behind.</source>
+        <translation>그림 5~7은 같은 카메라로 본 것임: 오른쪽에서 오는 시선의 옆, 조금 뒤쪽에서.</translation>
+    </message>
+    <message>
+        <source>the largest S: from the sight ray through O to the surface</source>
+        <translation>가장 큰 S: O를 지나는 시선에서 표면까지</translation>
+    </message>
+    <message>
+        <source>level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden</source>
+        <translation>가장 큰 S의 높이: α = 90° 너머에서 눈에서 더 멀고 이보다 낮은 띠는 가려짐</translation>
+    </message>
+    <message>
+        <source>θ, zenith angle from the z axis</source>
+        <translation>θ, z축에서 잰 천정각(고도각)</translation>
+    </message>
+    <message>
+        <source>φ, azimuth from the x axis to the foot of P</source>
+        <translation>φ, x축에서 수선의 발까지의 방위각</translation>
+    </message>
+    <message>
+        <source>The map shows the outermost surface in each direction from O.</source>
+        <translation>지도에는 O에서 본 각 방향의 가장 바깥 표면이 보임.</translation>
+    </message>
+    <message>
+        <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
+        <translation>경로의 끝: 칸 (θ, φ) = (%1, %2)에서 (%3, %4)까지</translation>
     </message>
 </context>
 <context>

@@ -6276,10 +6276,6 @@
         <translation>一个扇区中宽 %1 的环带的 S</translation>
     </message>
     <message>
-        <source>the largest S: from the axis to the surface</source>
-        <translation>最大的 S：从轴到表面</translation>
-    </message>
-    <message>
         <source>edges of the sector and its bands</source>
         <translation>扇区及其环带的边界</translation>
     </message>
@@ -6824,10 +6820,6 @@
         <translation>一个簇最多有多少三角形。不超过此数的物体为一个簇。</translation>
     </message>
     <message>
-        <source>Seen by one camera in Figures 5 to 8: beside the sight ray, which comes from the right, and a little from behind.</source>
-        <translation>图 5 至图 8 用同一相机观察：在从右侧来的视线旁边，略偏后方。</translation>
-    </message>
-    <message>
         <source>back sides of what is drawn</source>
         <translation>所绘部分的背面</translation>
     </message>
@@ -6838,10 +6830,6 @@
     <message>
         <source>to the eye</source>
         <translation>朝向视点</translation>
-    </message>
-    <message>
-        <source>level of the largest S: beyond α = 90° what stays below it is hidden</source>
-        <translation>最大 S 的水平线：α 超过 90° 后低于它的部分被遮挡</translation>
     </message>
     <message>
         <source>R of the largest S, from the origin O</source>
@@ -6864,20 +6852,8 @@
         <translation>背面：从对面看进空壳</translation>
     </message>
     <message>
-        <source>the same cut open along the sight ray</source>
-        <translation>同上，沿视线剖开</translation>
-    </message>
-    <message>
         <source>its back sides, seen from within: the darker, the deeper in the hollow</source>
         <translation>其背面，从内部看：凹处越深越暗</translation>
-    </message>
-    <message>
-        <source>cut through the shell</source>
-        <translation>壳的截线</translation>
-    </message>
-    <message>
-        <source>cut through what is not drawn</source>
-        <translation>未绘制部分的截线</translation>
     </message>
     <message>
         <source>the same point P in both</source>
@@ -7624,20 +7600,36 @@
         <translation>围墙高度与场景高度之比；0：没有围墙</translation>
     </message>
     <message>
-        <source>θ, from the z axis</source>
-        <translation>θ，从 z 轴量起</translation>
-    </message>
-    <message>
-        <source>φ, from the x axis to the foot of P</source>
-        <translation>φ，从 x 轴到 P 的垂足</translation>
-    </message>
-    <message>
         <source>foot of P in the plane of x and y</source>
         <translation>P 在 xy 平面上的垂足</translation>
     </message>
     <message>
-        <source>way inside the sphere, from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
-        <translation>球内路程，经过单元 (θ, φ)：从 (%1, %2) 到 (%3, %4)</translation>
+        <source>Seen by one camera in Figures 5 to 7: beside the sight ray, which comes from the right, and a little from behind.</source>
+        <translation>图 5 至 7 用同一相机观察：从视线旁边稍偏后，视线来自右侧。</translation>
+    </message>
+    <message>
+        <source>the largest S: from the sight ray through O to the surface</source>
+        <translation>最大的 S：从过 O 的视线到表面</translation>
+    </message>
+    <message>
+        <source>level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden</source>
+        <translation>最大 S 的高度：α = 90° 之外，离视点更远且低于它的带被遮挡</translation>
+    </message>
+    <message>
+        <source>θ, zenith angle from the z axis</source>
+        <translation>θ，从 z 轴量起的天顶角</translation>
+    </message>
+    <message>
+        <source>φ, azimuth from the x axis to the foot of P</source>
+        <translation>φ，从 x 轴到 P 的垂足的方位角</translation>
+    </message>
+    <message>
+        <source>The map shows the outermost surface in each direction from O.</source>
+        <translation>图中显示从 O 看各方向上最外层的表面。</translation>
+    </message>
+    <message>
+        <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
+        <translation>路程的末段：从单元 (θ, φ) = (%1, %2) 到 (%3, %4)</translation>
     </message>
 </context>
 <context>

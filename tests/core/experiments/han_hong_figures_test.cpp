@@ -244,30 +244,6 @@ TEST(HanHongFigures, sixSaysWhatIsProjectedAndWhere) {
     EXPECT_THAT(words, Contains(testing::HasSubstr("beyond α = 90°")));
 }
 
-/// A section of a sphere is a closed line: each end is that of two of its pieces.
-TEST(HanHongFigures, cutOfAClosedSurfaceIsClosed) {
-    const ScenePointer scene = body();
-    const View view = wholeViewOf(*scene);
-    const DrawStyle style;
-    const OverlayContext context{*scene, view, style, verdictPalette(style.background), Vec3f(1.0f)};
-    TriangleStates states;
-    states.states.assign(scene->triangleCount(), TriangleState::Visible);
-    for (uint64_t triangle = 0; triangle < scene->triangleCount() / 2; ++triangle)
-        states.states[triangle] = TriangleState::Hidden;
-    const Plane plane{Vec3(0.0, 0.0, 1.0), 0.0123};
-    std::map<std::array<int64_t, 3>, int> ends;
-    const std::vector<OverlayLines> cut = han_hong::cutOf(context, states, plane);
-    for (const OverlayLines& overlay : cut) {
-        EXPECT_FALSE(overlay.lines.empty()) << "drawn, and not drawn";
-        for (const LineSegment& line : overlay.lines)
-            for (const Vec3& end : {line.from, line.to}) {
-                EXPECT_NEAR(plane.distance(end), 0.0, 1e-9);
-                ++ends[{std::llround(end.x * 1e7), std::llround(end.y * 1e7), std::llround(end.z * 1e7)}];
-            }
-    }
-    for (const auto& [end, count] : ends) EXPECT_EQ(count, 2);
-}
-
 TEST(HanHongFigures, threeComparesTheRayWithItsCells) {
     const std::vector<std::string> words = wordsOf(made(3, body()).page);
     for (const char* wanted : {"R of the ray", "R of the triangles of a cell", "hit"}) EXPECT_THAT(words, Contains(wanted));

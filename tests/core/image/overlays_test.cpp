@@ -88,7 +88,7 @@ TEST(SphereOverlay, regionAndRaysLieInTheirPlaces) {
             EXPECT_LT(distanceTo(overlays[2].lines, seen.world(ray.ray.at(ray.span->from))), 0.2) << "no mark at the entry";
             EXPECT_LT(distanceTo(overlays[2].lines, seen.world(ray.point)), 1e-6) << "no mark at the end";
         }
-        EXPECT_EQ(overlays[2].lines.size(), 4u * 12 + 3 * 13 + 2) << "rings where they enter, dots where they hit, one cross";
+        EXPECT_EQ(overlays[2].lines.size(), 4u * 12 + 3 * 24 + 2) << "rings where they enter, dots where they hit, one cross";
     }
 }
 
@@ -241,6 +241,20 @@ TEST(Marks, sizeIsTheSameAtEveryDistance) {
             addMark(lines, seen.context(), seen.view.eye() + Vec3(0, 0, distance), 10.0, shape, Vec3f(0.0f));
             EXPECT_TRUE(lines.empty()) << "behind the viewer";
         }
+}
+
+/// Bands draw dots of radius 5 with lines of width 2.
+TEST(Marks, dotIsFilledByLinesThinnerThanItsRadius) {
+    constexpr double kRadius = 5.0, kHalfWidth = 1.0;
+    const Seen seen(sphereMap());
+    const Vec3 place = seen.view.eye() + Vec3(0, 0, -10);
+    std::vector<LineSegment> lines;
+    addMark(lines, seen.context(), place, kRadius, MarkShape::Dot, Vec3f(0.0f));
+    const double pixel = 1.0 / pixelsOf(seen.view, place, 1.0);
+    for (double y = -kRadius / 2; y <= kRadius / 2; y += 0.25)
+        for (double x = -kRadius / 2; x <= kRadius / 2; x += 0.25)
+            if (std::hypot(x, y) <= kRadius / 2)
+                EXPECT_LE(distanceTo(lines, place + pixel * Vec3(x, y, 0.0)), kHalfWidth * pixel) << x << " " << y;
 }
 
 }  // namespace
