@@ -142,8 +142,7 @@ void printTable(const MeasureResult& result, FILE* out) {
             strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
             ratioText(s.ratioToOwnRule), headroomText(s.headroomShare), ratioText(s.ratioToTriangles),
             ratioText(s.ratioToFrontFaces), s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
-            losses ? std::to_string(lostPixels(*losses)) : "-",
-            losses ? std::to_string(lostPixels(*losses) == 0 ? 0 : losses->largestHolePixels) : "-");
+            losses ? std::to_string(lostPixels(*losses)) : "-", losses ? std::to_string(losses->largestHolePixels) : "-");
     };
     std::ranges::for_each(result.runs, row);
     const bool limitToo =

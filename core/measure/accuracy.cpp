@@ -103,13 +103,6 @@ std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& s
     return mask;
 }
 
-std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference, const std::vector<uint8_t>& missed) {
-    std::vector<uint32_t> pixels;
-    for (size_t i = 0; i < missed.size(); ++i)
-        if (missed[i] != 0) pixels.push_back(uint32_t(i));
-    return lostObjects(scene, reference, pixels);
-}
-
 std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference, const std::vector<uint32_t>& pixels) {
     std::map<uint32_t, uint64_t> counts;
     for (const uint32_t pixel : pixels)

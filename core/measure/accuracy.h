@@ -14,7 +14,7 @@ struct Accuracy {
     uint64_t missedPixels = 0;              ///< the reference shows a surface, the picture a farther one or none
     uint64_t extraPixels = 0;               ///< the picture shows a nearer surface than the reference
     uint64_t unresolvedPixels = 0;          ///< neither: another triangle, at a depth that a float does not tell apart
-    uint64_t largestHolePixels = 0;         ///< largest 4-connected set of missed pixels
+    uint64_t largestHolePixels = 0;         ///< largest 4-connected set of missed pixels; in a JudgedFrame: of lost ones
     uint64_t visibleTriangles = 0;          ///< |V|
     uint64_t submittedTriangles = 0;        ///< |S|, each counted once
     uint64_t falselyCulledTriangles = 0;    ///< |V∖S|
@@ -96,6 +96,14 @@ struct LostObject {
     uint64_t pixels = 0;
 };
 
+/// A 4-connected set of missed pixels.
+struct Hole {
+    int x = 0, y = 0;  ///< one of its pixels, rows from the bottom
+    uint64_t pixels = 0;
+};
+/// All holes of a mask, largest first; holes of equal size by their lowest, then leftmost pixel.
+[[nodiscard]] std::vector<Hole> holes(std::vector<uint8_t> mask, const Viewport& size);
+
 /// A frame beside the truth.
 struct JudgedFrame {
     ShownPixels shown;
@@ -109,6 +117,8 @@ struct JudgedFrame {
     std::vector<uint32_t> lost{};                          ///< the pixels that are lost, ascending, rows from the bottom
 
     [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
+    /// The holes of the lost pixels in a picture of that size, largest first.
+    [[nodiscard]] std::vector<Hole> holes(const Viewport& size) const;
 };
 /// Judges what a frame showed by a replay of its log, into `target`, which has the culling view's size: for the tables, for the
 /// desktop's views and for cullbench.
@@ -131,19 +141,8 @@ struct JudgedFrame {
 /// A mask of the missed pixels (1: missed), rows from the bottom.
 [[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& shown);
 
-/// The objects that the reference shows at the pixels of a mask of missed ones, most pixels first, then by number.
-[[nodiscard]] std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference,
-                                                  const std::vector<uint8_t>& missed);
-/// The same of pixels by their numbers.
+/// The objects that the reference shows at those pixels, most pixels first, then by number.
 [[nodiscard]] std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference,
                                                   const std::vector<uint32_t>& pixels);
-
-/// A 4-connected set of missed pixels.
-struct Hole {
-    int x = 0, y = 0;  ///< one of its pixels, rows from the bottom
-    uint64_t pixels = 0;
-};
-/// All holes of a mask, largest first; holes of equal size by their lowest, then leftmost pixel.
-[[nodiscard]] std::vector<Hole> holes(std::vector<uint8_t> mask, const Viewport& size);
 
 }  // namespace cullscope

@@ -163,6 +163,13 @@ uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& show
     return beyond;
 }
 
+std::vector<Hole> JudgedFrame::holes(const Viewport& size) const {
+    if (lost.empty()) return {};
+    std::vector<uint8_t> mask(size_t(size.width) * size_t(size.height));
+    for (const uint32_t pixel : lost) mask[pixel] = 1;
+    return cullscope::holes(std::move(mask), size);
+}
+
 JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, const Reference& reference,
                   Framebuffer& target) {
     const Scene& scene = buffers.scene();
@@ -181,6 +188,8 @@ JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLo
         for (size_t pixel = 0; pixel < missed.size(); ++pixel)
             if (missed[pixel] != 0) judged.lost.push_back(uint32_t(pixel));
     }
+    const std::vector<Hole> holes = judged.holes(reference.size);
+    judged.accuracy.largestHolePixels = holes.empty() ? 0 : holes.front().pixels;
     return judged;
 }
 

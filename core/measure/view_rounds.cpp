@@ -38,10 +38,8 @@ ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const J
         figures.lost = std::make_shared<const std::vector<uint32_t>>(judged.lost);
     figures.states =
         std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible(), judged.lostTriangles));
-    std::vector<uint8_t> missed = missedMask(truth, judged.shown);
-    // Where the raster's snapping explains all of them, no object lost any.
-    if (figures.lostPixels() > 0) figures.lostObjects = lostObjects(scene, truth, missed);
-    figures.holes = holes(std::move(missed), truth.size);
+    figures.lostObjects = lostObjects(scene, truth, judged.lost);
+    figures.holes = judged.holes(truth.size);
     return figures;
 }
 

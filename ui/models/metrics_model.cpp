@@ -125,7 +125,7 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
         case Snapped:
             return figures.missedBeyondSnapping ? countText(accuracy.missedPixels - figures.lostPixels()) : QStringLiteral("–");
         case Hole:
-            return countText(figures.lostPixels() == 0 ? 0 : accuracy.largestHolePixels);
+            return countText(accuracy.largestHolePixels);
         case Covered:
             return countText(accuracy.coveredPixels);
         default:

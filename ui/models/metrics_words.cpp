@@ -94,9 +94,9 @@ QString fastestSentence(const std::vector<NamedMetrics>& views) {
 
 QString missedSentence(const ViewMetrics& figures) {
     const uint64_t lost = figures.lostPixels();
-    const QString missed = QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
-                               .arg(countText(lost), countText(figures.accuracy.coveredPixels),
-                                    countText(lost == 0 ? 0 : figures.accuracy.largestHolePixels));
+    const QString missed =
+        QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
+            .arg(countText(lost), countText(figures.accuracy.coveredPixels), countText(figures.accuracy.largestHolePixels));
     const QString explained = snappedSentence(figures);
     return explained.isEmpty() ? missed : missed + QLatin1Char('\n') + explained;
 }

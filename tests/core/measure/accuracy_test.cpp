@@ -237,6 +237,31 @@ TEST(Judge, tellsWhereTheRasterMayHaveMissedAPixel) {
     }
 }
 
+TEST(Judge, holesAreOfTheLostPixelsAndNotOfThoseThatSnappingExplains) {
+    // A sphere with its inner side out: back-face culling shows its far half from inside, so nearly every pixel is lost. Snapping
+    // explains those near an edge, which as missed pixels join all others into one hole.
+    const MeshPointer sphere = sphereMesh(5000);
+    std::vector<uint32_t> reversed;
+    for (size_t triangle = 0; triangle < sphere->triangleCount(); ++triangle)
+        for (const size_t corner : {0u, 2u, 1u}) reversed.push_back(sphere->indices()[3 * triangle + corner]);
+    const ScenePointer scene = sceneOf({meshOf({sphere->positions().begin(), sphere->positions().end()}, reversed)});
+    const View view({{0, 1, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 50}, {96, 72});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Framebuffer target(view.viewport());
+    const CullerPointer culler = makeCuller("backface");
+    culler->build(*scene);
+    const FrameLog log = culler->cull(view, &GlEnvironment::renderer()).log;
+    const Reference truth = itemBufferReference(GlEnvironment::renderer(), buffers, view, culler->built()->referenceFacing());
+    const JudgedFrame judged = judge(GlEnvironment::renderer(), buffers, log, truth, target);
+    const uint64_t largestMissed = holes(missedMask(truth, judged.shown), view.viewport()).front().pixels;
+    EXPECT_GT(largestMissed, judged.lostPixels()) << "else this test could not fail";
+    uint64_t ofHoles = 0;
+    for (const Hole& hole : judged.holes(view.viewport())) ofHoles += hole.pixels;
+    EXPECT_EQ(ofHoles, judged.lostPixels());
+    EXPECT_EQ(judged.accuracy.largestHolePixels, judged.holes(view.viewport()).front().pixels);
+    EXPECT_GT(judged.accuracy.largestHolePixels, 100u);
+}
+
 TEST(MissedBeyondSnapping, innerPixelsCountAndEdgePixelsDoNot) {
     // A square from (−1, −1) to (1, 1), 64 × 64 pixels of 1/32 each: its diagonal passes through pixel centres, no other
     // edge does.
