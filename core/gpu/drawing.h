@@ -36,10 +36,30 @@ class AnswerBuffers;
 class BoxQueries;
 class DepthPyramid;
 
+/// A buffer of OpenGL's for indices that one draw uses. Its memory is kept for the next draw: to begin on fresh memory each time
+/// costs more than to copy the indices.
+class GatheredIndices {
+public:
+    GatheredIndices() = default;
+    ~GatheredIndices();
+    GatheredIndices(const GatheredIndices&) = delete;
+    GatheredIndices& operator=(const GatheredIndices&) = delete;
+
+    /// Calls `write(memory)`, which fills the first `bytes` of the buffer. Draws before it keep what they use. False, without the
+    /// call, where memory runs out.
+    bool fill(size_t bytes, const std::function<void(void* memory)>& write);
+    [[nodiscard]] unsigned buffer() const { return m_buffer; }
+
+private:
+    unsigned m_buffer = 0;
+    size_t m_bytes = 0;
+};
+
 /// How scene triangles are passed on.
 struct TriangleInput {
     unsigned vertexArray = 0;
-    bool gathers = false;  ///< many small ranges are drawn as one: on a software OpenGL
+    /// By which many small ranges are drawn as one, on a software OpenGL; null: they are not.
+    GatheredIndices* gathered = nullptr;
     std::stop_token stop;  ///< ends what is drawn between two objects (Renderer::Stoppable)
 };
 
@@ -56,7 +76,7 @@ struct Renderer::Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    [[nodiscard]] TriangleInput input() const { return {vertexArray, software, stop}; }
+    [[nodiscard]] TriangleInput input() { return {vertexArray, software ? &gathered : nullptr, stop}; }
     /// Those for the pictures of a view: they cut where it is a section. Compiled when the first one is drawn.
     [[nodiscard]] ScenePrograms& of(const View& view);
 
@@ -70,8 +90,9 @@ struct Renderer::Programs {
     unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
     std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
     std::shared_ptr<AnswerBuffers> answers;  ///< the same
-    std::unique_ptr<DepthPyramid> pyramid;   ///< null: none was asked about yet
-    bool indirect = false;                   ///< what the GPU chooses is drawn indirectly
+    GatheredIndices gathered;
+    std::unique_ptr<DepthPyramid> pyramid;  ///< null: none was asked about yet
+    bool indirect = false;                  ///< what the GPU chooses is drawn indirectly
 };
 
 /// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. Of a section both sides of triangles are drawn, for it

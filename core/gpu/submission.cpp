@@ -27,33 +27,43 @@ uint64_t indicesOf(const SubmittedRun& run) {
 
 bool worthGathering(const SubmittedRun& run) { return indicesOf(run) <= run.ranges.size() * 3 * kSmallRange; }
 
-void drawGathered(const SceneBuffers& buffers, const DrawList& list, const SubmittedRun& run, unsigned vertexArray) {
+GatheredIndices::~GatheredIndices() { glDeleteBuffers(1, &m_buffer); }
+
+bool GatheredIndices::fill(size_t bytes, const std::function<void(void* memory)>& write) {
+    if (bytes > m_bytes) {
+        glDeleteBuffers(1, &m_buffer);
+        m_bytes = bytes + bytes / 2;
+        glCreateBuffers(1, &m_buffer);
+        glNamedBufferStorage(m_buffer, static_cast<GLsizeiptr>(m_bytes), nullptr, GL_MAP_WRITE_BIT);
+    }
+    void* const memory =
+        glMapNamedBufferRange(m_buffer, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    if (memory == nullptr) {
+        m_bytes = 0;
+        return false;
+    }
+    write(memory);
+    glUnmapNamedBuffer(m_buffer);
+    return true;
+}
+
+bool drawGathered(const SceneBuffers& buffers, const DrawList& list, const SubmittedRun& run, const TriangleInput& by) {
     const uint32_t mesh = buffers.scene().instances()[run.ranges.front().instance].mesh;
     const std::span<const uint32_t> ordered = list.orderOf(mesh).indices;
     const std::span<const uint32_t> indices = ordered.empty() ? buffers.scene().meshes()[mesh]->indices() : ordered;
     const uint64_t count = indicesOf(run);
     const bool narrow = run.indexType == GL_UNSIGNED_SHORT;
-    // A buffer of its own for each draw: OpenGL keeps it until it is drawn, and nothing waits for the draw before.
-    GLuint buffer = 0;
-    glCreateBuffers(1, &buffer);
-    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(count * (narrow ? sizeof(uint16_t) : sizeof(uint32_t))), nullptr,
-                         GL_MAP_WRITE_BIT);
-    void* const into = glMapNamedBuffer(buffer, GL_WRITE_ONLY);
-    if (into != nullptr) {
+    const bool filled = by.gathered->fill(count * (narrow ? sizeof(uint16_t) : sizeof(uint32_t)), [&](void* memory) {
         if (narrow)
-            copyRanges<uint16_t>(indices, run.ranges, into);
+            copyRanges<uint16_t>(indices, run.ranges, memory);
         else
-            copyRanges<uint32_t>(indices, run.ranges, into);
-        glUnmapNamedBuffer(buffer);
-        glVertexArrayElementBuffer(vertexArray, buffer);
-        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), run.indexType, nullptr);
-        glVertexArrayElementBuffer(vertexArray, run.indexBuffer);
-    } else {
-        // Where memory runs out, as many ranges as there are.
-        glMultiDrawElements(GL_TRIANGLES, run.counts.data(), run.indexType, run.addresses.data(),
-                            static_cast<GLsizei>(run.counts.size()));
-    }
-    glDeleteBuffers(1, &buffer);
+            copyRanges<uint32_t>(indices, run.ranges, memory);
+    });
+    if (!filled) return false;
+    glVertexArrayElementBuffer(by.vertexArray, by.gathered->buffer());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), run.indexType, nullptr);
+    glVertexArrayElementBuffer(by.vertexArray, run.indexBuffer);
+    return true;
 }
 
 }  // namespace cullscope

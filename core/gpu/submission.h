@@ -58,9 +58,9 @@ void submit(const SceneBuffers& buffers, const View& view, const DrawList& list,
     draw(Facing::TwoSided);
 }
 
-/// Copies the indices of a run's ranges one after the other into a buffer of this draw alone, and draws them by one call: the
-/// same triangles in the same order. Of buffer objects only. Within `submit`.
-void drawGathered(const SceneBuffers& buffers, const DrawList& list, const SubmittedRun& run, unsigned vertexArray);
+/// Copies the indices of a run's ranges one after the other into `by.gathered` and draws them by one call: the same triangles in
+/// the same order. Of buffer objects only. Within `submit`. False, and nothing is drawn, where memory runs out.
+bool drawGathered(const SceneBuffers& buffers, const DrawList& list, const SubmittedRun& run, const TriangleInput& by);
 
 /// Whether copying a run's indices costs less than its ranges: a software OpenGL begins each range anew, shading vertices that it
 /// shares with the one before a second time (docs/measuring.md, "Ranges").
@@ -68,13 +68,11 @@ void drawGathered(const SceneBuffers& buffers, const DrawList& list, const Submi
 
 /// Draws a list with one call for each run: a multi-draw, or a draw of the gathered ranges.
 inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawList& list, const TriangleInput& input) {
-    const bool mayGather = input.gathers && buffers.upload() == Upload::Vbo;
+    const bool mayGather = input.gathered != nullptr && buffers.upload() == Upload::Vbo;
     submit(buffers, view, list, input, false, [&](const SubmittedRun& run) {
         if (run.counts.size() == 1)
             glDrawElements(GL_TRIANGLES, run.counts[0], run.indexType, run.addresses[0]);
-        else if (mayGather && worthGathering(run))
-            drawGathered(buffers, list, run, input.vertexArray);
-        else
+        else if (!mayGather || !worthGathering(run) || !drawGathered(buffers, list, run, input))
             glMultiDrawElements(GL_TRIANGLES, run.counts.data(), run.indexType, run.addresses.data(),
                                 static_cast<GLsizei>(run.counts.size()));
     });

@@ -39,7 +39,7 @@ ViewFigures figuresOf(const ViewSubject& subject, const FrameLog& timed, const J
     figures.states =
         std::make_shared<const TriangleStates>(triangleStates(scene, *subject.shown, truth.visible(), judged.lostTriangles));
     figures.lostObjects = lostObjects(scene, truth, judged.lost);
-    figures.holes = judged.holes(truth.size);
+    figures.holes = figures.lostPixels() > 0 ? judged.holes(truth.size) : holes(missedMask(truth, judged.shown), truth.size);
     return figures;
 }
 

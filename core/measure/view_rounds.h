@@ -48,7 +48,7 @@ struct ViewFigures {
     std::shared_ptr<const std::vector<uint32_t>> lost;
 
     std::shared_ptr<const TriangleStates> states;  ///< of every triangle of the shown frame, beside the truth
-    std::vector<Hole> holes;                       ///< largest first; of the lost pixels
+    std::vector<Hole> holes;                       ///< largest first; of the lost pixels, or else of all missed ones
     std::vector<LostObject> lostObjects;           ///< most pixels first
     /// The promise at this camera, which may be weaker than the strategy's general promise.
     Promise promise = Promise::Approximate;

@@ -6,6 +6,7 @@
 
 #include "core/base/message.h"
 #include "core/scene/eye_triangle.h"
+#include "core/visibility/left_out_triangles.h"
 
 namespace cullscope {
 
@@ -68,7 +69,11 @@ public:
         // What a cell's decision says of its triangles is nearer to them than what became of the object.
         for (const Decision& decision : m_log.decisions)
             if (const std::optional<TriangleState> state = stateAfter(decision); state && isCell(decision))
-                markCell(decision, *state);
+                markCell(decision.subject.object, decision.places, *state);
+        // And nearer still what is said of triangles by themselves.
+        forEachLeftOut(m_log, [&](uint32_t instance, const LeftOutTriangles& triangles) {
+            for (const LeftOutTriangles::Run& run : triangles.runs) markCell(instance, run.places, stateOfCause(run.cause));
+        });
         return std::move(m_states);
     }
 
@@ -101,9 +106,9 @@ private:
                     state);
     }
 
-    void markCell(const Decision& decision, TriangleState state) {
-        const uint32_t instance = decision.subject.object, mesh = m_scene.instances()[instance].mesh;
-        for (uint32_t place = decision.places.first; place < decision.places.first + decision.places.count; ++place)
+    void markCell(uint32_t instance, const PlaceRun& places, TriangleState state) {
+        const uint32_t mesh = m_scene.instances()[instance].mesh;
+        for (uint32_t place = places.first; place < places.first + places.count; ++place)
             m_states[m_scene.firstTriangle(instance) + triangleAt(m_log.order.get(), mesh, place)] = state;
     }
 

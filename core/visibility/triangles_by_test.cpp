@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/message.h"
+#include "core/visibility/left_out_triangles.h"
 
 namespace cullscope {
 
@@ -22,10 +23,23 @@ Bars trianglesByTest(const FrameLog& log, const Scene& scene, const char* hiding
         if (decision.subject.kind == Subject::Kind::Object && byCells[decision.subject.number] == 0)
             count += scene.meshOf(decision.subject.number).triangleCount();
     }
+    std::array<uint64_t, kCauseCount> oneByOne{};
+    bool tested = false;
+    forEachLeftOut(log, [&](uint32_t /*instance*/, const LeftOutTriangles& triangles) {
+        tested = true;
+        for (const LeftOutTriangles::Run& run : triangles.runs) oneByOne[size_t(run.cause)] += run.places.count;
+    });
     const auto bar = [&](const char* name, Cause cause) { return Bar{name, culled[size_t(cause)], stateOfCause(cause)}; };
-    return {{},
-            {bar(CULLSCOPE_TR("planes of the frustum"), Cause::OutsideFrustum),
-             bar(CULLSCOPE_TR("normal cones"), Cause::BackFacing), bar(hiding, Cause::Hidden)}};
+    Bars bars{{},
+              {bar(CULLSCOPE_TR("planes of the frustum"), Cause::OutsideFrustum),
+               bar(CULLSCOPE_TR("normal cones"), Cause::BackFacing), bar(hiding, Cause::Hidden)}};
+    if (!tested) return bars;
+    const auto single = [&](const char* name, Cause cause) {
+        bars.bars.push_back({name, oneByOne[size_t(cause)], stateOfCause(cause)});
+    };
+    single(CULLSCOPE_TR("facing away, one by one"), Cause::BackFacing);
+    single(CULLSCOPE_TR("without a pixel centre"), Cause::NoSample);
+    return bars;
 }
 
 }  // namespace cullscope

@@ -4,6 +4,7 @@
 
 #include "core/frame/entry_words.h"
 #include "core/scene/eye_triangle.h"
+#include "core/visibility/left_out_triangles.h"
 #include "core/visibility/triangle_states.h"
 
 namespace cullscope {
@@ -28,6 +29,10 @@ std::array<uint64_t, kCauseCount> culledInPart(const FrameLog& log, uint32_t ins
         if (decision.outcome == Decision::Outcome::Culled) count += decision.places.count;
         if (decision.outcome == Decision::Outcome::DrawnAfterAll) count -= decision.places.count;
     }
+    forEachLeftOut(log, [&](uint32_t of, const LeftOutTriangles& triangles) {
+        for (const LeftOutTriangles::Run& run : triangles.runs)
+            counts[size_t(run.cause)] += of == instance ? run.places.count : 0;
+    });
     return counts;
 }
 

@@ -2472,10 +2472,6 @@
         <translation>구가 한 평면 밖이면: 제외</translation>
     </message>
     <message>
-        <source>walk(cell), first the whole</source>
-        <translation>순회(셀), 처음에는 전체</translation>
-    </message>
-    <message>
         <source>box outside: leave it out</source>
         <translation>상자가 한 평면 밖이면: 제외</translation>
     </message>
@@ -7630,6 +7626,42 @@
     <message>
         <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
         <translation>경로의 끝: 칸 (θ, φ) = (%1, %2)에서 (%3, %4)까지</translation>
+    </message>
+    <message>
+        <source>walk(cell); if open, its parts</source>
+        <translation>순회(셀), 안 정해지면 부분마다</translation>
+    </message>
+    <message>
+        <source>few pixels: triangle by triangle</source>
+        <translation>픽셀이 적으면: 삼각형마다</translation>
+    </message>
+    <message>
+        <source>Whether triangles that hold no pixel centre or face away are left out of the drawn cells one by one (where the picture has few pixels for each).</source>
+        <translation>그리는 셀에서 픽셀 중심이 없거나 등을 돌린 삼각형을 하나씩 제외할지 여부(그림에 삼각형마다 픽셀이 적을 때).</translation>
+    </message>
+    <message>
+        <source>triangles one by one</source>
+        <translation>삼각형 하나씩</translation>
+    </message>
+    <message>
+        <source>Of these %1 triangles %2 face away and %3 hold no pixel centre: they are left out one by one.</source>
+        <translation>이 삼각형 %1개 중 %2개는 등을 돌렸고 %3개에는 픽셀 중심이 없어, 하나씩 제외합니다.</translation>
+    </message>
+    <message>
+        <source>The triangle faces away, however rounding and snapping move its corners: OpenGL would drop it.</source>
+        <translation>반올림과 격자 맞춤이 꼭짓점을 어떻게 옮기든 삼각형은 등을 돌립니다. OpenGL도 버렸을 것입니다.</translation>
+    </message>
+    <message>
+        <source>No pixel centre lies in the triangle, however rounding and snapping move its corners.</source>
+        <translation>반올림과 격자 맞춤이 꼭짓점을 어떻게 옮기든 삼각형 안에 픽셀 중심이 없습니다.</translation>
+    </message>
+    <message>
+        <source>facing away, one by one</source>
+        <translation>등을 돌림, 하나씩</translation>
+    </message>
+    <message>
+        <source>without a pixel centre</source>
+        <translation>픽셀 중심 없음</translation>
     </message>
 </context>
 <context>

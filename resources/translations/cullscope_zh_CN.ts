@@ -2472,10 +2472,6 @@
         <translation>其球在某平面之外：剔除</translation>
     </message>
     <message>
-        <source>walk(cell), first the whole</source>
-        <translation>遍历(单元)，开始为整体</translation>
-    </message>
-    <message>
         <source>box outside: leave it out</source>
         <translation>其盒在某平面之外：剔除</translation>
     </message>
@@ -7630,6 +7626,42 @@
     <message>
         <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
         <translation>路程的末段：从单元 (θ, φ) = (%1, %2) 到 (%3, %4)</translation>
+    </message>
+    <message>
+        <source>walk(cell); if open, its parts</source>
+        <translation>遍历(单元)，未定则遍历各部分</translation>
+    </message>
+    <message>
+        <source>few pixels: triangle by triangle</source>
+        <translation>像素少时：逐个三角形</translation>
+    </message>
+    <message>
+        <source>Whether triangles that hold no pixel centre or face away are left out of the drawn cells one by one (where the picture has few pixels for each).</source>
+        <translation>是否从绘制的单元中逐个剔除不含像素中心或背向的三角形（当图像中每个三角形的像素很少时）。</translation>
+    </message>
+    <message>
+        <source>triangles one by one</source>
+        <translation>逐个三角形</translation>
+    </message>
+    <message>
+        <source>Of these %1 triangles %2 face away and %3 hold no pixel centre: they are left out one by one.</source>
+        <translation>这 %1 个三角形中有 %2 个背向、%3 个不含像素中心：将它们逐个剔除。</translation>
+    </message>
+    <message>
+        <source>The triangle faces away, however rounding and snapping move its corners: OpenGL would drop it.</source>
+        <translation>无论舍入和对齐怎样移动顶点，该三角形都背向：OpenGL 也会丢弃它。</translation>
+    </message>
+    <message>
+        <source>No pixel centre lies in the triangle, however rounding and snapping move its corners.</source>
+        <translation>无论舍入和对齐怎样移动顶点，该三角形内都没有像素中心。</translation>
+    </message>
+    <message>
+        <source>facing away, one by one</source>
+        <translation>背向，逐个</translation>
+    </message>
+    <message>
+        <source>without a pixel centre</source>
+        <translation>不含像素中心</translation>
     </message>
 </context>
 <context>

@@ -175,7 +175,6 @@ TEST(Wording, headerSaysSpeedupShareAndMissedPixels) {
 TEST(Wording, pixelsWithinTheRastersSnappingAreNotMissedAndStatedApart) {
     ViewMetrics figures = someFigures();
     figures.accuracy.missedPixels = 3;
-    figures.accuracy.largestHolePixels = 1;
     figures.missedBeyondSnapping = 0;
     EXPECT_EQ(metricsLine(figures), QStringLiteral("×3.1 · 15 % · 0 missed"));
     const QString sentence = missedSentence(figures);

@@ -19,7 +19,7 @@ TriangleOrderPointer orderOfCells(const std::vector<MeshCells>& meshes) {
 }
 
 void reportCells(CellScene& structure) {
-    double nodes = 0, leaves = 0, deepest = 0, treeBytes = 0, kernels = 0, kernelBytes = 0;
+    double nodes = 0, leaves = 0, deepest = 0, treeBytes = 0, kernels = 0, kernelBytes = 0, cornerBytes = 0;
     for (const MeshCells& mesh : structure.meshes) {
         if (!mesh.tree) continue;
         nodes += double(mesh.tree->nodes().size());
@@ -27,11 +27,12 @@ void reportCells(CellScene& structure) {
         deepest = std::max(deepest, double(mesh.tree->deepestLevel()));
         treeBytes += double(mesh.tree->bytes());
         if (mesh.tree->mesh().triangleCount() > 0) structure.report.layout = mapLayoutId(mesh.tree->layout());
+        cornerBytes += double(mesh.corners.bytes());
         if (!mesh.kernel) continue;
         kernels += mesh.kernel->filled() ? 1 : 0;
         kernelBytes += double(mesh.kernel->bytes());
     }
-    structure.report.bytes = uint64_t(treeBytes + kernelBytes) + structure.octree.bytes();
+    structure.report.bytes = uint64_t(treeBytes + kernelBytes + cornerBytes) + structure.octree.bytes();
     structure.report.figures = {{"objects", double(structure.scene().instances().size())},
                                 {"groups", double(structure.octree.nodes().size())},
                                 {"cells", nodes},
@@ -40,12 +41,13 @@ void reportCells(CellScene& structure) {
                                 {"kernels", kernels},
                                 {"cell tree bytes", treeBytes},
                                 {"kernel bytes", kernelBytes},
+                                {"corner bytes", cornerBytes},
                                 {"octree bytes", double(structure.octree.bytes())}};
 }
 
 }  // namespace
 
-void buildCells(CellScene& structure, const CellTree::Options& options, size_t leastTrianglesForKernel,
+void buildCells(CellScene& structure, const CellTree::Options& options, size_t leastTrianglesForKernel, bool corners,
                 const Progress& progress) {
     const Scene& scene = structure.scene();
     structure.meshes.resize(scene.meshes().size());
@@ -59,6 +61,8 @@ void buildCells(CellScene& structure, const CellTree::Options& options, size_t l
         // Also where the horizon is switched off: switching it on builds nothing.
         if (mesh->triangleCount() >= leastTrianglesForKernel) structure.meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
         structure.meshes[i].maps = LazyMaps(mesh);
+        const CellTree& tree = *structure.meshes[i].tree;
+        if (corners && tree.divided()) structure.meshes[i].corners = CornerBlocks(*mesh, tree.indices());
     }
     structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
     structure.order = orderOfCells(structure.meshes);

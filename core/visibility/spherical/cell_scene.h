@@ -3,6 +3,7 @@
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "core/spatial/instance_octree.h"
+#include "core/visibility/sampled_triangles.h"
 #include "core/visibility/spherical/lazy_maps.h"
 #include "core/visibility/strategy.h"
 
@@ -13,6 +14,7 @@ struct MeshCells {
     CellTreePointer tree;
     InnerKernelPointer kernel;
     LazyMaps maps;
+    CornerBlocks corners{};  ///< in the tree's order; where triangles are tested, of a divided tree
 };
 
 /// The structures of a scene.
@@ -26,9 +28,10 @@ struct CellScene : Structure {
     TriangleOrderPointer order;
 };
 
-/// Builds a scene's structures, with a kernel for each mesh of at least that many triangles. Throws Error(Interrupted) on a stop
-/// request.
-void buildCells(CellScene& structure, const CellTree::Options& options, size_t leastTrianglesForKernel, const Progress& progress);
+/// Builds a scene's structures, with a kernel for each mesh of at least that many triangles; `corners`: with those of triangles.
+/// Throws Error(Interrupted) on a stop request.
+void buildCells(CellScene& structure, const CellTree::Options& options, size_t leastTrianglesForKernel, bool corners,
+                const Progress& progress);
 
 /// The number of meshes by the state of their kernels. `used`: whether the strategy uses kernels; else none counts as made.
 [[nodiscard]] MeshStates kernelStates(const CellScene& structure, bool used);

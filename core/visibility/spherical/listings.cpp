@@ -42,12 +42,12 @@ Show walkListing() {
                         {CULLSCOPE_TR("outside: leave it all out"), 1},
                         {CULLSCOPE_TR("each other object (small: draw)"), 0},
                         {CULLSCOPE_TR("sphere outside: leave it out"), 1},
-                        {CULLSCOPE_TR("walk(cell), first the whole"), 1},
+                        {CULLSCOPE_TR("walk(cell); if open, its parts"), 1},
                         {CULLSCOPE_TR("box outside: leave it out"), 2},
                         {CULLSCOPE_TR("faces away: leave it out"), 2},
                         {CULLSCOPE_TR("behind horizon: leave it out"), 2},
                         {CULLSCOPE_TR("no test open, leaf, gap: draw"), 2},
-                        {CULLSCOPE_TR("else walk(each part)"), 2}});
+                        {CULLSCOPE_TR("few pixels: triangle by triangle"), 1}});
 }
 
 std::vector<Show> withListing(std::vector<Show> shows, Show listing) {

@@ -15,7 +15,7 @@ enum class BandsLine : uint8_t { Objects = 1, Sphere, Outside, Whole, Rays, Cell
 [[nodiscard]] Show horizonListing();
 
 /// The lines of the listing of `spherical-lossless`.
-enum class WalkLine : uint8_t { Groups = 1, GroupOutside, Objects, Sphere, Walk, Planes, Cones, Horizon, Draw, Parts };
+enum class WalkLine : uint8_t { Groups = 1, GroupOutside, Objects, Sphere, Walk, Planes, Cones, Horizon, Draw, Triangles };
 /// The line at which the walk ended at a cell, by the cause for which it was culled; none: it is drawn.
 [[nodiscard]] WalkLine lineOfCell(const std::optional<Cause>& cause);
 [[nodiscard]] Show walkListing();

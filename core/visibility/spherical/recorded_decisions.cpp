@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/geometry/angle.h"
+#include "core/visibility/left_out_triangles.h"
 #include "core/visibility/spherical/contour_bands.h"
 #include "core/visibility/spherical/recorded_tests.h"
 
@@ -157,6 +158,8 @@ private:
             object.drawnTriangles = runs->drawnTriangles;
         } else if (const auto* walk = dynamic_cast<const WalkDetail*>(&detail)) {
             addWalk(object, *walk);
+        } else if (const auto* triangles = dynamic_cast<const LeftOutTriangles*>(&detail)) {
+            for (const LeftOutTriangles::Run& run : triangles->runs) object.drawnTriangles -= run.places.count;
         }
     }
 

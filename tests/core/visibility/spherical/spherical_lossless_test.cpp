@@ -9,6 +9,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/eye_triangle.h"
 #include "core/visibility/spherical/cell_walk.h"
+#include "core/visibility/triangle_states.h"
 #include "tests/support/culler.h"
 #include "tests/support/lossless_scenes.h"
 
@@ -111,7 +112,7 @@ TEST(SphericalLossless, horizonHidesOnlyWhatTheKernelCovers) {
 TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
     const auto parts = [](const MeshPointer& mesh, const char* facing, const Vec3& eye, double near) {
         const ScenePointer scene = sceneOf({mesh});
-        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", facing}});
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", facing}, {"triangles", "false"}});
         strategy->build(*scene);
         const Culled frame = strategy->cull(View({eye, Vec3(0.0), {0, 1, 0.1}, Angle::fromDegrees(40), near, 100}, {200, 200}));
         EXPECT_EQ(frame.parts[0].culledTriangles, frame.culledTriangles[size_t(Cause::OutsideFrustum)]);
@@ -134,12 +135,12 @@ TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
     EXPECT_THAT(parts(mixed, "auto", {0, 0, 5}, 0.1), Pair(false, false));
 }
 
-TEST(SphericalLossless, leavesTrianglesOutOnlyWhereThatSavesEnough) {
+TEST(SphericalLossless, leavesCellsOutOnlyWhereThatSavesEnough) {
     // Those that face away count half: an object of which less than an eighth would be saved is drawn whole.
     size_t whole = 0, byCells = 0;
     for (const MeshPointer& mesh : {torusMesh(16'000), knotMesh(16'000), bumpyMesh(3, 16'000, 0.2), starMesh(7, 16'000)}) {
         const ScenePointer scene = sceneOf({mesh});
-        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", "front"}});
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", "front"}, {"triangles", "false"}});
         strategy->build(*scene);
         Random random(17);
         for (int i = 0; i < 12; ++i) {
@@ -153,6 +154,35 @@ TEST(SphericalLossless, leavesTrianglesOutOnlyWhereThatSavesEnough) {
     }
     EXPECT_GT(whole, 3u);
     EXPECT_GT(byCells, 10u);
+}
+
+TEST(SphericalLossless, leavesTrianglesOutOneByOneWhereThePictureHasFewPixelsForEach) {
+    const ScenePointer scene = sceneOf({knotMesh(16'000)});
+    const auto frame = [&](const char* triangles, const Viewport& size) {
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", "front"}, {"triangles", triangles}});
+        strategy->build(*scene);
+        return strategy->cull(View({{0, 1, 5}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 20}, size), Recording::On);
+    };
+    const Culled coarse = frame("true", {160, 120}), fine = frame("true", {1600, 1200}), cells = frame("false", {160, 120});
+    const CullPart& part = coarse.parts[3];
+    EXPECT_EQ(part.name, "triangles one by one");
+    EXPECT_EQ(part.objects, 1u);
+    EXPECT_GT(part.culledTriangles, scene->triangleCount() / 2);
+    EXPECT_EQ(coarse.consideredTriangles + part.culledTriangles, cells.consideredTriangles);
+    EXPECT_EQ(fine.parts[3].objects, 0u) << "there are 33 pixels for each triangle";
+    EXPECT_EQ(fine.consideredTriangles, frame("false", {1600, 1200}).consideredTriangles);
+    // The states of the triangles are those that the counters have.
+    const TriangleStates states = triangleStates(*scene, coarse.log, std::nullopt);
+    const auto count = [&](TriangleState state) { return states.counts[size_t(state)]; };
+    uint64_t givenAndAway = 0;  // OpenGL drops those
+    for (const DrawRange& range : coarse.drawList.ranges) {
+        const InstanceFromEye instance(*scene, 0, coarse.log.camera);
+        for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
+            givenAndAway += instance.facesAway(coarse.drawList.triangleAt(0, place)) ? 1 : 0;
+    }
+    EXPECT_EQ(count(TriangleState::BackFacing), coarse.culledTriangles[size_t(Cause::BackFacing)] + givenAndAway);
+    EXPECT_EQ(count(TriangleState::TooSmall), coarse.culledTriangles[size_t(Cause::NoSample)]);
+    EXPECT_EQ(count(TriangleState::Visible) + givenAndAway, coarse.consideredTriangles);
 }
 
 TEST(SphericalLossless, answerDoesNotDependOnRecordingOrTheThreads) {
@@ -210,7 +240,8 @@ TEST(SphericalLossless, extremeViewHasAnAnswer) {
     const MeshPointer cone = joined({starMesh(1, 3'000), meshOf({{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}}, {0, 1, 2})});
     for (const char* layout : {"octahedral", "latitude-longitude"}) {
         const ScenePointer scene = sceneOf({cone});
-        const CullerPointer strategy = strategyWith("spherical-lossless", {{"layout", layout}, {"facing", "two-sided"}});
+        const CullerPointer strategy =
+            strategyWith("spherical-lossless", {{"layout", layout}, {"facing", "two-sided"}, {"triangles", "false"}});
         strategy->build(*scene);
         const Vec3 centre = scene->instanceSphere(0).centre;
         for (const Vec3& eye : {centre, centre + Vec3(0, 0, 5), centre - Vec3(0, 0, 5), centre + Vec3(0, 0, 1e9)})
