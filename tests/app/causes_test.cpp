@@ -26,20 +26,23 @@ TEST(CullbenchCauses, causesAddUpToTheScene) {
     ASSERT_EQ(result.exitStatus, 0) << result.err;
     const json root = json::parse(result.out);
     const json &frustum = root["runs"][0]["frames"], &lossless = root["runs"][1]["frames"];
-    uint64_t outside = 0, backFacing = 0;
+    uint64_t outside = 0, backFacing = 0, noSample = 0;
     for (size_t i = 0; i < lossless.size(); ++i) {
         for (const json& frame : {frustum[i], lossless[i]}) {
             uint64_t sum = frame["considered_triangles"];
-            for (const char* field : {"culled_outside_frustum", "culled_back_facing", "culled_hidden", "culled_too_small"})
+            for (const char* field :
+                 {"culled_outside_frustum", "culled_back_facing", "culled_hidden", "culled_too_small", "culled_no_sample"})
                 sum += frame[field].get<uint64_t>();
             EXPECT_EQ(sum, root["scene"]["triangles"].get<uint64_t>());
         }
         EXPECT_EQ(frustum[i]["culled_back_facing"], 0);
         outside += lossless[i]["culled_outside_frustum"].get<uint64_t>();
         backFacing += lossless[i]["culled_back_facing"].get<uint64_t>();
+        noSample += lossless[i]["culled_no_sample"].get<uint64_t>();
     }
     EXPECT_GT(outside, 0u);
     EXPECT_GT(backFacing, 0u);
+    EXPECT_GT(noSample, 0u);
     EXPECT_THAT(result.err,
                 testing::ContainsRegex("spherical-lossless culled by cause: outside the frustum [0-9.]+ %, back-facing"));
     EXPECT_THAT(result.err, testing::Not(HasSubstr("frustum culled by cause"))) << "the table says all";
