@@ -80,7 +80,7 @@ TEST(SampledTriangles, thoseLeftOutInExtremeViewsShowNoPixel) {
         sum.add(buffers, View(view.camera, view.viewport), seed % 2 == 0 ? Facing::Front : Facing::TwoSided);
         ASSERT_EQ(sum.shown, before) << "seed " << seed;
     }
-    EXPECT_GT(sum.facingAway, sum.triangles / 200);
+    EXPECT_GT(sum.facingAway, sum.triangles / 400);
     EXPECT_GT(sum.withoutSample, sum.triangles / 50);
 }
 
