@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
+#include "core/base/freed_memory.h"
 #include "core/gpu/box_queries.h"
 #include "core/gpu/context.h"
 #include "core/gpu/depth_pyramid.h"
@@ -60,6 +61,7 @@ Renderer::Programs::Programs()
       boxQueries(std::make_shared<BoxQueries>()),
       answers(std::make_shared<AnswerBuffers>()),
       indirect(!software) {
+    if (software) keepFreedMemory();
     glCreateVertexArrays(1, &vertexArray);
     for (const GLuint attribute : {kPosition, kNormal}) addAttribute(vertexArray, attribute, 0, attribute);
     glCreateVertexArrays(1, &lineArray);

@@ -40,6 +40,7 @@ size_t peakBytesOf(const std::function<void()>& work) {
         // blocks have raised glibc's threshold, decide how much of them stays.
         constexpr int kFreshThreshold = 128 * 1024;
         mallopt(M_MMAP_THRESHOLD, kFreshThreshold);
+        mallopt(M_TRIM_THRESHOLD, kFreshThreshold);
         const size_t before = ownStatus("VmRSS"), filesBefore = ownStatus("RssFile");
         try {
             work();

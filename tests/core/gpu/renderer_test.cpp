@@ -1,8 +1,11 @@
 #include "core/gpu/renderer.h"
 
+#include <sys/resource.h>
+
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "tests/support/gl_environment.h"
+#include "tests/support/peak_memory.h"
 #include "tests/support/pixel_edges.h"
 #include "tests/support/test_scenes.h"
 
@@ -216,6 +219,32 @@ TEST(Renderer, mirroredInstanceIsLitLikeItsMirrorImage) {
             if (std::abs(a - b) > 3) ++different;
         }
     EXPECT_LT(different, 120u * 120u / 200);
+}
+
+/// Pages that this process has been given by the system so far.
+long pageFaults() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_minflt;
+}
+
+TEST(Renderer, aSoftwareOpenGlFindsTheMemoryOfTheLastFrameAgain) {
+    if (!memoryIsTheWorks() || !GlEnvironment::info().software) return;
+    // Shaded, its vertices take some ten megabytes, 2,500 pages a frame.
+    const ScenePointer scene = sceneOf({knotMesh(200'000)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const DrawList list = everything(*scene, Facing::Front);
+    const View view = lookingAt({0, 0, 4}, {0, 0, 0});
+    Framebuffer target(view.viewport());
+    const auto draw = [&](int frames) {
+        for (int i = 0; i < frames; ++i) GlEnvironment::renderer().draw(buffers, view, list, target);
+        waitForGpu();
+    };
+    draw(3);
+    const long before = pageFaults();
+    constexpr int kFrames = 20;
+    draw(kFrames);
+    EXPECT_LT((pageFaults() - before) / kFrames, 100);
 }
 
 }  // namespace
