@@ -43,10 +43,6 @@ public:
         addObject();
         addModel();
         std::vector<PageLegendEntry> entries;
-        const std::array<Vec3f, 5> ramp = reliefColours();
-        for (size_t i = 0; i < ramp.size(); ++i)
-            entries.push_back({{Shape::Area, plotColour(ramp[i])},
-                               fmt::format("R = {:.2f}", double(i) / (ramp.size() - 1) * scene().boundingSphere().radius)});
         entries.push_back({{Shape::Line, opaque(kThetaBlue), 2.0}, say(CULLSCOPE_TR("θ, zenith angle from the z axis"))});
         entries.push_back(
             {{Shape::Line, opaque(kPhiGreen), 2.0}, say(CULLSCOPE_TR("φ, azimuth from the x axis to the foot of P"))});
@@ -54,6 +50,8 @@ public:
         entries.push_back({{Shape::Dot, opaque(kRadiusRed)}, m_look.say({CULLSCOPE_TR("the same point P in both"), {}})});
         m_bottom = addText(m_page, say(CULLSCOPE_TR("The map shows the outermost surface in each direction from O.")),
                            {kMargin, m_bottom + 4.0}, inner(), m_look.style, m_look.style.text);
+        m_bottom = addScale(m_page, {"R = 0", fmt::format("{:.2f}", scene().boundingSphere().radius), {}, reliefColour},
+                            {kMargin, m_bottom}, m_look.style);
         addLegendBelow(entries, 0.0);
         return finish();
     }

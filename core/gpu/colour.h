@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "core/geometry/types.h"
 
@@ -8,6 +9,9 @@ namespace cullscope {
 
 /// The colour 0xRRGGBB with components in [0, 1].
 [[nodiscard]] Vec3f colourFromHexadecimal(uint32_t rgb);
+
+/// The colour at a share, from 0 to 1, of the way through colours 0xRRGGBB at equal distances; two or more.
+[[nodiscard]] Vec3f colourFromRamp(std::span<const uint32_t> ramp, double share);
 
 /// The relative luminance Y in [0, 1] of an sRGB colour (IEC 61966-2-1).
 [[nodiscard]] float relativeLuminance(const Vec3f& colour);

@@ -14,28 +14,7 @@ namespace {
 constexpr int kFrame = 14;          ///< the margin around the map in its picture, pixels
 constexpr double kNumbers = 30.0;   ///< room for θ's numbers on the left of the picture
 constexpr double kAxisName = 22.0;  ///< and for the axis' name before them
-constexpr double kScaleWidth = 120.0, kScaleHeight = 10.0;
-constexpr int kScaleSteps = 24;
 constexpr PlotColour kRegionRed = 0xFFDB1414;
-
-/// The colours of a scale with the values at both of its ends.
-double addScale(Page& page, const CellMap& map, const MapColouring& colouring, const PlotPoint& corner, const Vec3f& background,
-                const PageLook& look) {
-    const MapValues values = map.source->values(colouring.id);
-    const PlotStyle& style = look.style;
-    const std::string least = look.say({"%1", {values.least}}), most = look.say({"%1", {values.most}});
-    const double baseline = corner.y + style.ascent, left = corner.x + style.width(least) + 6.0;
-    page.text({corner.x, baseline}, least, style.text);
-    for (int step = 0; step < kScaleSteps; ++step) {
-        const double from = left + kScaleWidth * step / kScaleSteps, to = left + kScaleWidth * (step + 1) / kScaleSteps;
-        const double top = corner.y + (style.height - kScaleHeight) / 2;
-        page.drawing.items.emplace_back(DrawnPath{{{from, top}, {to, top}, {to, top + kScaleHeight}, {from, top + kScaleHeight}},
-                                                  {},
-                                                  plotColour(rampColour(double(step) / (kScaleSteps - 1), background))});
-    }
-    page.text({left + kScaleWidth + 6.0, baseline}, most + "   " + look.say(colouring.scale), style.text);
-    return corner.y + 1.25 * style.height;
-}
 
 std::vector<PageLegendEntry> statesOf(const CellMap& map, const Vec3f& background, const PageLook& look) {
     std::set<TriangleState> states;
@@ -122,7 +101,11 @@ double addCellMap(Page& page, const CellMap& given, std::string_view colouring, 
     }
     y = addLegend(page, entries, {picture.x, y}, width - kNumbers - kAxisName, plot);
     if (shown == nullptr || shown->states) return y;
-    return addScale(page, map, *shown, {picture.x, y}, style.background, look);
+    const MapValues values = map.source->values(colouring);
+    return addScale(page,
+                    {look.say({"%1", {values.least}}), look.say({"%1", {values.most}}), look.say(shown->scale),
+                     [&](double share) { return rampColour(share, style.background); }},
+                    {picture.x, y}, plot);
 }
 
 }  // namespace cullscope

@@ -235,9 +235,7 @@ void CellMapPainter::paintOutlines() {
 }  // namespace
 
 Vec3f rampColour(double share, const Vec3f& background) {
-    const double place = std::clamp(isLight(background) ? share : 1.0 - share, 0.0, 1.0) * (kRamp.size() - 1);
-    const size_t from = std::min(size_t(place), kRamp.size() - 2);
-    return glm::mix(colourFromHexadecimal(kRamp[from]), colourFromHexadecimal(kRamp[from + 1]), float(place - double(from)));
+    return colourFromRamp(kRamp, isLight(background) ? share : 1.0 - share);
 }
 
 std::vector<Vec3f> cellColours(const CellMap& map, std::string_view colouring, const Vec3f& background) {

@@ -8,6 +8,8 @@ namespace {
 constexpr double kSign = 22.0;  ///< width, pixels
 constexpr double kBehindSign = 6.0, kBetween = 18.0;
 constexpr PlotColour kTint = 0x38000000;  ///< opacity of what a region's outline encloses
+constexpr double kScaleWidth = 120.0, kScaleHeight = 10.0;
+constexpr int kScaleSteps = 24;
 constexpr double kDotRadius = 4.5, kArm = 4.5;
 
 void addSign(Page& page, const PageSign& sign, const PlotPoint& middle) {
@@ -64,6 +66,21 @@ double addLegend(Page& page, const std::vector<PageLegendEntry>& entries, const 
         x += needed + kBetween;
     }
     return entries.empty() ? corner.y : y + row;
+}
+
+double addScale(Page& page, const PageScale& scale, const PlotPoint& corner, const PlotStyle& style) {
+    const double baseline = corner.y + style.ascent, left = corner.x + style.width(scale.least) + kBehindSign;
+    page.text({corner.x, baseline}, scale.least, style.text);
+    for (int step = 0; step < kScaleSteps; ++step) {
+        const double from = left + kScaleWidth * step / kScaleSteps, to = left + kScaleWidth * (step + 1) / kScaleSteps;
+        const double top = corner.y + (style.height - kScaleHeight) / 2;
+        page.drawing.items.emplace_back(DrawnPath{{{from, top}, {to, top}, {to, top + kScaleHeight}, {from, top + kScaleHeight}},
+                                                  {},
+                                                  plotColour(scale.colour(double(step) / (kScaleSteps - 1)))});
+    }
+    page.text({left + kScaleWidth + kBehindSign, baseline}, scale.most + (scale.words.empty() ? "" : "   " + scale.words),
+              style.text);
+    return corner.y + 1.25 * style.height;
 }
 
 double addText(Page& page, const std::string& words, const PlotPoint& corner, double width, const PlotStyle& style,

@@ -33,6 +33,16 @@ struct PageLegendEntry {
 double addLegend(Page& page, const std::vector<PageLegendEntry>& entries, const PlotPoint& corner, double width,
                  const PlotStyle& style);
 
+/// A scale of colours with the values at both of its ends.
+struct PageScale {
+    std::string least, most;
+    std::string words;                          ///< behind it; may be empty
+    std::function<Vec3f(double share)> colour;  ///< share: 0 at the least to 1 at the most
+};
+
+/// Writes a scale; returns where it ends, pixels from the top.
+double addScale(Page& page, const PageScale& scale, const PlotPoint& corner, const PlotStyle& style);
+
 /// Writes a text in as many lines as a width needs; returns where it ends, pixels from the top.
 double addText(Page& page, const std::string& words, const PlotPoint& corner, double width, const PlotStyle& style,
                PlotColour colour, bool bold = false);

@@ -52,6 +52,8 @@ std::array<Vec3f, 5> reliefColours() {
     return colours;
 }
 
+Vec3f reliefColour(double share) { return colourFromRamp(kRelief, share); }
+
 std::optional<uint32_t> sphericalModelInstance(const DrawList& list) {
     if (list.ranges.empty()) return std::nullopt;
     return list.ranges.front().instance;

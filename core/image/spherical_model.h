@@ -16,6 +16,8 @@ namespace cullscope {
 /// The colours of the model in spherical coordinates for equally spaced R. They get lighter with R, because shading is visible on
 /// light colours only.
 [[nodiscard]] std::array<Vec3f, 5> reliefColours();
+/// The colour at an R that is this share of the bounding sphere's radius.
+[[nodiscard]] Vec3f reliefColour(double share);
 
 /// The rectangle of the model in a picture of that size, with a margin for the labels of its ticks.
 [[nodiscard]] MapArea sphericalModelArea(const Viewport& size, const DrawStyle& style);

@@ -127,6 +127,14 @@ SurfaceBounds boundsOfParts(const SurfaceNodes& nodes, const SurfaceNode& node) 
     return bounds;
 }
 
+double meanShareFacingAway(const SurfaceNodes& nodes) {
+    if (nodes.size() == 0 || nodes[0].count == 0) return 0.0;
+    double away = 0.0;
+    for (size_t i = 0; i < nodes.size(); ++i)
+        if (nodes[i].leaf() && nodes[i].hasCone()) away += nodes[i].count * (1.0 - double(nodes[i].coneSine)) / 2.0;
+    return away / nodes[0].count;
+}
+
 bool holdsFor(const SurfaceBounds& bounds, const TriangleCorners& triangle) {
     const Vec3 low(bounds.low), high(bounds.high);
     for (const Vec3& corner : triangle)

@@ -61,6 +61,9 @@ private:
 [[nodiscard]] SurfaceBounds boundsOf(std::span<const TriangleCorners> triangles);
 /// The bounds of a node by those of its children.
 [[nodiscard]] SurfaceBounds boundsOfParts(const SurfaceNodes& nodes, const SurfaceNode& node);
+/// The share of a tree's triangles that lie in leaves whose normal cone faces away from an eye, on average over all directions
+/// to a distant one: (1 − sin a) / 2 of the directions for a cone of half the opening angle a.
+[[nodiscard]] double meanShareFacingAway(const SurfaceNodes& nodes);
 /// Whether bounds hold for a triangle: its corners lie in the box, its normal in the cone, where there is one, the box's middle
 /// not farther before its plane than the margin allows, and no altitude of it is smaller than the smallest.
 [[nodiscard]] bool holdsFor(const SurfaceBounds& bounds, const TriangleCorners& triangle);

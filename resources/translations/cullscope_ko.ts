@@ -1824,16 +1824,8 @@
         <translation>셀의 삼각형을 둘러싼 상자가 절두체의 한 평면 밖에 있습니다.</translation>
     </message>
     <message>
-        <source>Normal cones are not used: both sides of the triangles are drawn, or the test is switched off.</source>
-        <translation>법선 원뿔을 쓰지 않습니다: 삼각형의 양면을 그리거나 검사가 꺼져 있습니다.</translation>
-    </message>
-    <message>
         <source>The kernel&apos;s horizon is not used: %1.</source>
         <translation>커널의 지평선을 쓰지 않습니다: %1.</translation>
-    </message>
-    <message>
-        <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
-        <translation>여기서는 커널의 지평선을 쓰지 않습니다: 근평면이 경계구를 자르거나, 물체가 그림에서 너무 작거나, 검사가 꺼져 있습니다.</translation>
     </message>
     <message>
         <source>The object has too few triangles to be divided: it is one cell.</source>
@@ -7662,6 +7654,14 @@
     <message>
         <source>without a pixel centre</source>
         <translation>픽셀 중심 없음</translation>
+    </message>
+    <message>
+        <source>Normal cones are not used: both sides of the triangles are drawn, the test is switched off, or all of the object is in view and too few of its cells could face away.</source>
+        <translation>법선 원뿔을 쓰지 않습니다: 삼각형의 양면을 그리거나, 검사가 꺼져 있거나, 물체 전체가 보이고 뒷면일 수 있는 셀이 너무 적습니다.</translation>
+    </message>
+    <message>
+        <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, all of it is in view and it has few triangles, or the test is switched off.</source>
+        <translation>여기서는 커널의 지평선을 쓰지 않습니다: 근평면이 경계구를 자르거나, 물체가 그림에서 너무 작거나, 물체 전체가 보이고 삼각형이 적거나, 검사가 꺼져 있습니다.</translation>
     </message>
 </context>
 <context>

@@ -1824,16 +1824,8 @@
         <translation>该单元三角形的包围盒位于视锥体某一平面之外。</translation>
     </message>
     <message>
-        <source>Normal cones are not used: both sides of the triangles are drawn, or the test is switched off.</source>
-        <translation>未使用法线锥：绘制三角形的两面，或该测试已关闭。</translation>
-    </message>
-    <message>
         <source>The kernel&apos;s horizon is not used: %1.</source>
         <translation>未使用内核的地平线：%1。</translation>
-    </message>
-    <message>
-        <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
-        <translation>此处未使用内核的地平线：近平面切过包围球，物体在图像中太小，或该测试已关闭。</translation>
     </message>
     <message>
         <source>The object has too few triangles to be divided: it is one cell.</source>
@@ -2389,15 +2381,15 @@
     </message>
     <message>
         <source>Corner ray %1, %2: confirmed on triangle %3.</source>
-        <translation>角射线 %1，%2：已在三角形 %3 上确认相交。</translation>
+        <translation>角光线 %1，%2：已在三角形 %3 上确认相交。</translation>
     </message>
     <message>
         <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
-        <translation>角射线 %1，%2：从物体旁经过；取其进入包围球之处。</translation>
+        <translation>角光线 %1，%2：从物体旁经过；取其进入包围球之处。</translation>
     </message>
     <message>
         <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
-        <translation>角射线 %1，%2：未命中包围球；取球上最近的点。</translation>
+        <translation>角光线 %1，%2：未命中包围球；取球上最近的点。</translation>
     </message>
     <message>
         <source>sector %1</source>
@@ -2857,7 +2849,7 @@
     </message>
     <message>
         <source>About a ray</source>
-        <translation>关于一条射线</translation>
+        <translation>关于一条光线</translation>
     </message>
     <message>
         <source>About a band</source>
@@ -2941,11 +2933,11 @@
     </message>
     <message>
         <source>Ray %1 to %2</source>
-        <translation>射向 %2 的射线 %1</translation>
+        <translation>射向 %2 的光线 %1</translation>
     </message>
     <message>
         <source>Ray %1</source>
-        <translation>射线 %1</translation>
+        <translation>光线 %1</translation>
     </message>
     <message>
         <source>Band %1 of %2</source>
@@ -3401,7 +3393,7 @@
     </message>
     <message>
         <source>Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.</source>
-        <translation>角点射线 %1 经过图的 %2 个单元，在 R = %3 处命中三角形。</translation>
+        <translation>角光线 %1 经过图的 %2 个单元，在 R = %3 处命中三角形。</translation>
     </message>
     <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
@@ -5717,11 +5709,11 @@
     </message>
     <message>
         <source>A sphere in view that all four corner rays miss</source>
-        <translation>四条角射线都未命中的可见球</translation>
+        <translation>四条角光线都未命中的可见球</translation>
     </message>
     <message>
         <source>A ray that enters the bounding sphere far from where it hits</source>
-        <translation>进入包围球处远离命中处的射线</translation>
+        <translation>进入包围球处远离命中处的光线</translation>
     </message>
     <message>
         <source>the walk reaches the surface, 37 degrees away</source>
@@ -6073,11 +6065,11 @@
     </message>
     <message>
         <source>a sphere half in view that all four corner rays miss</source>
-        <translation>半在视野中、四条角射线都未命中的球</translation>
+        <translation>半在视野中、四条角光线都未命中的球</translation>
     </message>
     <message>
         <source>a ball of half the radius of its bounding sphere: rays enter far from where they hit</source>
-        <translation>半径为包围球一半的球：射线进入处远离命中处</translation>
+        <translation>半径为包围球一半的球：光线进入处远离命中处</translation>
     </message>
     <message>
         <source>a torus tilted by 60 degrees, from afar</source>
@@ -6857,7 +6849,7 @@
     </message>
     <message>
         <source>Ray %1: its R beside that of the triangles of each cell</source>
-        <translation>射线 %1：其 R 与各单元三角形的 R 对照</translation>
+        <translation>光线 %1：其 R 与各单元三角形的 R 对照</translation>
     </message>
     <message>
         <source>R of the triangles of a cell</source>
@@ -6869,7 +6861,7 @@
     </message>
     <message>
         <source>R of the ray</source>
-        <translation>射线的 R</translation>
+        <translation>光线的 R</translation>
     </message>
     <message>
         <source>hit</source>
@@ -6877,7 +6869,7 @@
     </message>
     <message>
         <source>corner ray; pale is what lies behind a surface</source>
-        <translation>角点射线；在面后的部分为浅色</translation>
+        <translation>角光线；在面后的部分为浅色</translation>
     </message>
     <message>
         <source>Once for each mesh</source>
@@ -7662,6 +7654,14 @@
     <message>
         <source>without a pixel centre</source>
         <translation>不含像素中心</translation>
+    </message>
+    <message>
+        <source>Normal cones are not used: both sides of the triangles are drawn, the test is switched off, or all of the object is in view and too few of its cells could face away.</source>
+        <translation>未使用法线锥：绘制三角形的两面，该测试已关闭，或物体全部可见且可能背向的单元太少。</translation>
+    </message>
+    <message>
+        <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, all of it is in view and it has few triangles, or the test is switched off.</source>
+        <translation>此处未使用内核的地平线：近平面切过包围球，物体在图像中太小，物体全部可见且三角形较少，或该测试已关闭。</translation>
     </message>
 </context>
 <context>

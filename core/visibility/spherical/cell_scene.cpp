@@ -62,6 +62,7 @@ void buildCells(CellScene& structure, const CellTree::Options& options, size_t l
         if (mesh->triangleCount() >= leastTrianglesForKernel) structure.meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
         structure.meshes[i].maps = LazyMaps(mesh);
         const CellTree& tree = *structure.meshes[i].tree;
+        structure.meshes[i].shareFacingAway = meanShareFacingAway(SurfaceNodes(tree.nodes()));
         if (corners && tree.divided()) structure.meshes[i].corners = CornerBlocks(*mesh, tree.indices());
     }
     structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);

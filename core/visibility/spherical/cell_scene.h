@@ -14,6 +14,7 @@ struct MeshCells {
     CellTreePointer tree;
     InnerKernelPointer kernel;
     LazyMaps maps;
+    double shareFacingAway = 0.0;  ///< meanShareFacingAway of the tree
     CornerBlocks corners{};  ///< in the tree's order; where triangles are tested, of a divided tree
 };
 

@@ -77,8 +77,10 @@ Message judgedSentence(const JudgedCell& judged) {
 /// Why normal cones were not tested for the object's cells; none where they were.
 std::optional<Message> conesLeftOut(const CellWalk& walk) {
     if (walk.cones) return std::nullopt;
-    return Message{CULLSCOPE_TR("Normal cones are not used: both sides of the triangles are drawn, or the test is switched off."),
-                   {}};
+    return Message{
+        CULLSCOPE_TR("Normal cones are not used: both sides of the triangles are drawn, the test is switched off, or all of "
+                     "the object is in view and too few of its cells could face away."),
+        {}};
 }
 
 std::optional<Message> horizonLeftOut(const MapSnapshot& map) {
@@ -87,7 +89,7 @@ std::optional<Message> horizonLeftOut(const MapSnapshot& map) {
         return Message{CULLSCOPE_TR("The kernel's horizon is not used: %1."), {InnerKernel::stateName(map.kernel->state())}};
     return Message{
         CULLSCOPE_TR("The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too "
-                     "small in the picture, or the test is switched off."),
+                     "small in the picture, all of it is in view and it has few triangles, or the test is switched off."),
         {}};
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "tests/support/tested_trees.h"
 
@@ -130,6 +131,26 @@ TEST(CellTreeBounds, smoothSurfaceHasConesInAllLeaves) {
         const auto cones = std::ranges::count_if(
             tree.nodes(), [](const Node& node) { return node.childCount == 0 && node.coneCosine <= 1.0f && hasNormals(node); });
         EXPECT_EQ(size_t(cones), tree.leafCount());
+    }
+}
+
+TEST(CellTreeBounds, theMeanShareFacingAwayIsThatOfRandomDirections) {
+    for (const MeshPointer& mesh : {sphereMesh(20'000), starMesh(3, 20'000), torusMesh(20'000), squareMesh(1, 0)}) {
+        const CellTree tree(mesh, {MapLayout::Octahedral, 0});
+        Random random(5);
+        constexpr int kDirections = 2000;
+        double away = 0.0;
+        for (int i = 0; i < kDirections; ++i) {
+            const Vec3 towardsEye = random.direction();
+            for (const Node& node : tree.nodes()) {
+                if (!node.leaf() || !node.hasCone()) continue;
+                // All normals around the axis are turned away where the axis is, by more than the cone's angle beyond 90°.
+                const double angle = std::acos(std::clamp(glm::dot(Vec3(node.coneAxis), towardsEye), -1.0, 1.0));
+                away += angle - std::acos(double(node.coneCosine)) > std::numbers::pi / 2 ? node.count : 0;
+            }
+        }
+        away /= double(kDirections) * double(mesh->triangleCount());
+        EXPECT_NEAR(meanShareFacingAway(SurfaceNodes(tree.nodes())), away, 0.02);
     }
 }
 

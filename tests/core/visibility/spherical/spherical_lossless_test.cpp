@@ -120,19 +120,23 @@ TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
         EXPECT_EQ(frame.parts[2].culledTriangles, frame.culledTriangles[size_t(Cause::Hidden)]);
         return std::pair(frame.parts[1].objects == 1, frame.parts[2].objects == 1);
     };
-    const MeshPointer star = starMesh(2, 8'000);
+    const MeshPointer star = starMesh(2, 40'000);
     using testing::Pair;
     EXPECT_THAT(parts(star, "auto", {0, 0, 5}, 0.1), Pair(true, true));
     EXPECT_THAT(parts(star, "two-sided", {0, 0, 5}, 0.1), Pair(false, true));
     EXPECT_THAT(parts(star, "auto", {0, 0, 0.5}, 0.01), Pair(true, false)) << "with the eye inside";
     EXPECT_THAT(parts(star, "auto", {0, 0, 5}, 4.5), Pair(true, false)) << "where the near plane cuts";
     EXPECT_THAT(parts(sheetMesh(60), "auto", {0, 0, 5}, 0.1), Pair(false, false)) << "open: both sides are drawn";
-    EXPECT_THAT(parts(torusMesh(8'000), "auto", {0, 0, 5}, 0.1), Pair(true, false)) << "the centre is outside";
+    EXPECT_THAT(parts(torusMesh(8'000), "auto", {0, 0, 2.5}, 0.1), Pair(true, false)) << "the centre is outside";
     const MeshPointer inverted = changed(*star, kStay, kEvery);
     EXPECT_THAT(parts(inverted, "two-sided", {0, 0, 5}, 0.1), Pair(false, true));
     EXPECT_THAT(parts(inverted, "front", {0, 0, 5}, 0.1), Pair(true, false)) << "its inside is what is drawn";
     const MeshPointer mixed = changed(*star, kStay, [](size_t i) { return i % 5 == 0; });
     EXPECT_THAT(parts(mixed, "auto", {0, 0, 5}, 0.1), Pair(false, false));
+    const MeshPointer few = starMesh(2, 8'000);
+    EXPECT_THAT(parts(few, "auto", {0, 0, 5}, 0.1), Pair(true, false)) << "all in view: the horizon would hide too little";
+    EXPECT_THAT(parts(few, "auto", {0, 0, 2.5}, 0.1), Pair(true, true)) << "cut by the frustum";
+    EXPECT_THAT(parts(torusMesh(8'000), "auto", {0, 0, 5}, 0.1), Pair(false, false)) << "all in view: few cells could face away";
 }
 
 TEST(SphericalLossless, leavesCellsOutOnlyWhereThatSavesEnough) {
