@@ -15,7 +15,7 @@ struct MeshCells {
     InnerKernelPointer kernel;
     LazyMaps maps;
     double shareFacingAway = 0.0;  ///< meanShareFacingAway of the tree
-    CornerBlocks corners{};  ///< in the tree's order; where triangles are tested, of a divided tree
+    CornerBlocks corners{};        ///< in the tree's order; where triangles are tested, of a divided tree
 };
 
 /// The structures of a scene.
