@@ -2328,10 +2328,6 @@
         <translation>지평선 사용 안 함: 눈이 경계구 안에 있음</translation>
     </message>
     <message>
-        <source>Horizon not used: at the near plane, or too far away</source>
-        <translation>지평선 사용 안 함: 근평면에 걸리거나 너무 멉니다</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -7662,6 +7658,14 @@
     <message>
         <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, all of it is in view and it has few triangles, or the test is switched off.</source>
         <translation>여기서는 커널의 지평선을 쓰지 않습니다: 근평면이 경계구를 자르거나, 물체가 그림에서 너무 작거나, 물체 전체가 보이고 삼각형이 적거나, 검사가 꺼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, too far away, or of few triangles</source>
+        <translation>지평선 사용 안 함: 근평면에 걸리거나, 너무 멀거나, 삼각형이 적습니다</translation>
+    </message>
+    <message>
+        <source>Of the drawn cells, left out one by one: %1</source>
+        <translation>그린 셀에서 하나씩 뺀 삼각형: %1</translation>
     </message>
 </context>
 <context>

@@ -2328,10 +2328,6 @@
         <translation>未使用地平线：视点在包围球内</translation>
     </message>
     <message>
-        <source>Horizon not used: at the near plane, or too far away</source>
-        <translation>未使用地平线：碰到近平面，或距离太远</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
     </message>
@@ -7662,6 +7658,14 @@
     <message>
         <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, all of it is in view and it has few triangles, or the test is switched off.</source>
         <translation>此处未使用内核的地平线：近平面切过包围球，物体在图像中太小，物体全部可见且三角形较少，或该测试已关闭。</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, too far away, or of few triangles</source>
+        <translation>未使用地平线：碰到近平面、距离太远或三角形太少</translation>
+    </message>
+    <message>
+        <source>Of the drawn cells, left out one by one: %1</source>
+        <translation>已绘制单元中逐个略去：%1</translation>
     </message>
 </context>
 <context>

@@ -227,9 +227,13 @@ void MapPainter::paintWords(QPainter& painter, const QRectF& place, const MapCol
     painter.setPen(colours.text);
     const QStringList words = translatedLines(contents().shown.map->lines);
     for (qsizetype i = 0; i < words.size(); ++i) {
-        // The last line takes the remaining height.
-        if (i + 1 == words.size()) line.setBottom(place.top() + wordsHeight(metrics));
-        painter.drawText(line, Qt::AlignLeft | Qt::TextWordWrap, words[i]);
+        if (i + 1 < words.size()) {
+            painter.drawText(line.topLeft() + QPointF(0.0, metrics.ascent()), words[i]);
+        } else {
+            // The last line takes the remaining height.
+            line.setBottom(place.top() + wordsHeight(metrics));
+            painter.drawText(line, Qt::AlignLeft | Qt::TextWordWrap | Qt::TextDontClip, words[i]);
+        }
         line.translate(0, lineHeight(metrics));
     }
 }

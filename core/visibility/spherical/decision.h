@@ -117,6 +117,7 @@ struct SphericalDecision {
     std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are submitted
     std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;
+    uint64_t leftOutAlone = 0;  ///< triangles of drawn cells, left out one by one
 };
 
 /// The last plane that a recorded frame names as having rejected an instance or its group, by instance.

@@ -169,8 +169,8 @@ CellMapPointer indexMap(MapSnapshot snapshot, const std::string& object, size_t 
     map->objectWords = objectWords(shown, object, objects);
     map->decisionWords = decisionWords(shown);
     map->lines = walkWords(shown);
-    // The reason why there is no kernel may take two lines.
-    if (shown.tree) map->lineRoom = shown.kernel && shown.kernel->filled() ? 2 : 3;
+    // One line by test, one for triangles left out one by one, one for the kernel; the reason why there is none may take two.
+    if (shown.tree) map->lineRoom = shown.kernel && shown.kernel->filled() ? 3 : 4;
     map->veiled = decision.bands.has_value();
     map->rooms = legendRooms(shown.tree != nullptr);
     if (decision.bands) addBands(*map, *decision.bands);

@@ -29,7 +29,7 @@ Words kernelWords(const MapSnapshot& map) {
         return {CULLSCOPE_TR("Kernel filled to R %1 at least"), {Term::length(map.kernel->leastRadius())}};
     if (map.decision.relation == SphereRelation::AroundEye)
         return {CULLSCOPE_TR("Horizon not used: the eye is inside the bounding sphere")};
-    return {CULLSCOPE_TR("Horizon not used: at the near plane, or too far away")};
+    return {CULLSCOPE_TR("Horizon not used: at the near plane, too far away, or of few triangles")};
 }
 
 Vec3 middleOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) {
@@ -62,10 +62,13 @@ std::vector<Words> walkWords(const MapSnapshot& map) {
     const std::optional<CellWalk>& walk = map.decision.walk;
     if (!walk) return {};
     const auto culled = [&](Cause cause) { return walk->culled[size_t(cause)]; };
-    return {{CULLSCOPE_TR("Culled: frustum %1 · cones %2 · horizon %3"),
-             {Term::count(culled(Cause::OutsideFrustum)), countOrUnused(walk->cones, culled(Cause::BackFacing)),
-              countOrUnused(walk->hiding, culled(Cause::Hidden))}},
-            kernelWords(map)};
+    std::vector<Words> lines{{CULLSCOPE_TR("Culled: frustum %1 · cones %2 · horizon %3"),
+                              {Term::count(culled(Cause::OutsideFrustum)), countOrUnused(walk->cones, culled(Cause::BackFacing)),
+                               countOrUnused(walk->hiding, culled(Cause::Hidden))}}};
+    if (map.decision.leftOutAlone > 0)
+        lines.push_back({CULLSCOPE_TR("Of the drawn cells, left out one by one: %1"), {Term::count(map.decision.leftOutAlone)}});
+    lines.push_back(kernelWords(map));
+    return lines;
 }
 
 std::vector<Words> cellWords(const MapSnapshot& map, const SphericalGrid::Cell& cell) {

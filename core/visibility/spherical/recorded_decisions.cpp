@@ -159,7 +159,10 @@ private:
         } else if (const auto* walk = dynamic_cast<const WalkDetail*>(&detail)) {
             addWalk(object, *walk);
         } else if (const auto* triangles = dynamic_cast<const LeftOutTriangles*>(&detail)) {
-            for (const LeftOutTriangles::Run& run : triangles->runs) object.drawnTriangles -= run.places.count;
+            for (const LeftOutTriangles::Run& run : triangles->runs) {
+                object.drawnTriangles -= run.places.count;
+                object.leftOutAlone += run.places.count;
+            }
         }
     }
 

@@ -2,13 +2,16 @@
 #include "core/visibility/spherical/recorded_decisions.h"
 
 #include <map>
+#include <numeric>
 
 #include "core/frame/curve.h"
+#include "core/visibility/spherical/index_map_words.h"
 #include "core/visibility/spherical/map_details.h"
 #include "core/visibility/spherical/object_space_view.h"
 #include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/why.h"
+#include "tests/support/lossless_map.h"
 #include "tests/support/spherical_scenes.h"
 
 namespace cullscope::test::recorded_decisions_test {
@@ -245,6 +248,23 @@ TEST(RecordedDecisions, judgedCellsAreTheEndsThatTheStreamSays) {
     }
     EXPECT_EQ(recorded.decision().walk->culled, recorded.frame.culledTriangles);
     EXPECT_EQ(recorded.decision().drawnTriangles, recorded.frame.consideredTriangles);
+}
+
+TEST(RecordedDecisions, theLineUnderTheMapCountsTrianglesLeftOutOneByOne) {
+    for (const size_t triangles : {2'000, 60'000}) {
+        const LosslessMap drawn(starMesh(7, triangles), MapLayout::Octahedral, {0.0, 0.3, 4.0});
+        const spherical::SphericalDecision& decision = drawn.map().decision;
+        const Culled frame = drawn.strategy->cull(drawn.view);
+        EXPECT_EQ(decision.leftOutAlone, frame.parts[3].culledTriangles);
+        const auto& culled = decision.walk->culled;
+        EXPECT_EQ(decision.leftOutAlone + decision.drawnTriangles + std::accumulate(culled.begin(), culled.end(), uint64_t{0}),
+                  drawn.scene->triangleCount());
+        EXPECT_EQ(decision.leftOutAlone > 0, triangles > 10'000) << "few have many pixels each";
+        const std::vector<Words> lines = spherical::walkWords(drawn.map());
+        EXPECT_EQ(
+            std::ranges::any_of(lines, [](const Words& line) { return line.english().find("one by one") != std::string::npos; }),
+            decision.leftOutAlone > 0);
+    }
 }
 
 TEST(RecordedDecisions, objectsOfASceneWithManyHaveTheSameBandsAsOneAlone) {
