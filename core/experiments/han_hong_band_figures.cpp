@@ -93,13 +93,14 @@ private:
         addPicture(size, drawn(frameOfAll(m_culling), observer(size), {},
                                [&](const OverlayContext& context) { return spherical::bandOverlay(context, {*m_map}); }));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
-        addLegendBelow(
-            {{{Shape::Line, stateColour(TriangleState::Visible), 1.0}, say(CULLSCOPE_TR("contour of a band that is drawn"))},
-             {{Shape::Line, stateColour(TriangleState::Hidden), 1.0}, say(CULLSCOPE_TR("contour of a band that is hidden"))},
-             {{Shape::Line, dark, 2.5}, "α = 90°"},
-             {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
-             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
-            size.height);
+        addLegendBelow({{{Shape::Line, stateColour(TriangleState::Visible), 1.0},
+                         say(CULLSCOPE_TR("where a band begins that is drawn, by sector"))},
+                        {{Shape::Line, stateColour(TriangleState::Hidden), 1.0},
+                         say(CULLSCOPE_TR("where a band begins that is hidden, by sector"))},
+                        {{Shape::Line, dark, 2.5}, "α = 90°"},
+                        {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
+                        {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
+                       size.height);
         addMap(m_log, "entries");
     }
 
@@ -134,8 +135,8 @@ private:
         const PlotColour green = plotColour(spherical::sizeColour(m_style.background));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
         std::vector<PageLegendEntry> entries{
-            {{Shape::Letter, green}, say(CULLSCOPE_TR("the largest S: from the sight ray through O to the surface"))},
-            {{Shape::Line, green, 2.0}, say(CULLSCOPE_TR("S of a band that is drawn"))},
+            {{Shape::Letter, green}, say(CULLSCOPE_TR("the largest S: from the sight ray through O to a triangle's centroid"))},
+            {{Shape::Line, green, 2.0}, say(CULLSCOPE_TR("S of a band that is drawn, at its own triangle"))},
             {{Shape::Dashed, green, 2.0}, say(CULLSCOPE_TR("S of a band that is hidden"))},
             {{Shape::Dashed, green, 1.0},
              say(CULLSCOPE_TR(
@@ -160,13 +161,16 @@ private:
         addPicture(size, drawn(m_log, observer(size), {"verdicts"},
                                [&](const OverlayContext& context) { return contoursOnSurface(context, *m_map, kLeastContour); }));
         m_bottom += size.height;
-        m_bottom = addText(m_page,
-                           m_look.say({CULLSCOPE_TR("On the object contours shorter than %1 R are left out."),
-                                       {Term::name(fmt::format("{:.1f}", kLeastContour))}}),
-                           {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text);
+        m_bottom =
+            addText(m_page,
+                    m_look.say({CULLSCOPE_TR("On the object contours shorter than %1 of the sphere's radius are left out."),
+                                {Term::name(fmt::format("{:.1f}", kLeastContour))}}),
+                    {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text);
         const TriangleStates states = statesAgainstTruth(m_log);
         addMap(m_log, "state", &states);
-        addSentence(CULLSCOPE_TR("White cells: no triangle has its centroid there."));
+        addSentence(
+            CULLSCOPE_TR("Drawn in vain: drawn, but in no pixel of the picture from the eye. White cells: no triangle has its "
+                         "centroid there."));
     }
 
     /// Three pictures: the paper's two, from the eye and from the opposite side, and from the side, which shows that the surface

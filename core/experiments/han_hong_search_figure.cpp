@@ -140,7 +140,7 @@ private:
         plot.x.title = wayWords(map.maps->grid(), shown);
         plot.y.title = "R";
         PlotBars cells{say(CULLSCOPE_TR("R of the triangles of a cell")), kCellBlue, {}};
-        PlotBars hit{say(CULLSCOPE_TR("of the cell in which one is hit")), kHitCell, {}};
+        PlotBars hit{say(CULLSCOPE_TR("of the cell in which the triangle hit was found")), kHitCell, {}};
         for (const WalkedCell& walked : shown) {
             const SphericalMaps::Extent& extent = map.maps->extent(map.maps->grid().number(walked.cell));
             if (extent.empty()) continue;

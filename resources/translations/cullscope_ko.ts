@@ -5220,18 +5220,6 @@
         <translation>구로 들어가는 곳</translation>
     </message>
     <message>
-        <source>contour of a band that is drawn</source>
-        <translation>그리는 띠의 등고선</translation>
-    </message>
-    <message>
-        <source>contour of a band that is hidden</source>
-        <translation>가려진 띠의 등고선</translation>
-    </message>
-    <message>
-        <source>S of a band that is drawn</source>
-        <translation>그리는 띠의 S</translation>
-    </message>
-    <message>
         <source>S of a band that is hidden</source>
         <translation>가려진 띠의 S</translation>
     </message>
@@ -5326,10 +5314,6 @@
     <message>
         <source>Inside the frustum?</source>
         <translation>절두체 안에 있는가?</translation>
-    </message>
-    <message>
-        <source>Four corner rays of the frustum</source>
-        <translation>절두체의 모서리 광선 네 개</translation>
     </message>
     <message>
         <source>Search of the triangle index map for the triangles hit</source>
@@ -6824,10 +6808,6 @@
         <translation>수직축에 대한 그 사영</translation>
     </message>
     <message>
-        <source>On the object contours shorter than %1 R are left out.</source>
-        <translation>물체 위에서 %1 R보다 짧은 등고선은 생략됨.</translation>
-    </message>
-    <message>
         <source>front: from the eye</source>
         <translation>앞면: 눈에서</translation>
     </message>
@@ -6850,10 +6830,6 @@
     <message>
         <source>R of the triangles of a cell</source>
         <translation>셀의 삼각형의 R</translation>
-    </message>
-    <message>
-        <source>of the cell in which one is hit</source>
-        <translation>삼각형이 교차되는 셀의 R</translation>
     </message>
     <message>
         <source>R of the ray</source>
@@ -7202,10 +7178,6 @@
     <message>
         <source>α is the angle from the sight ray, seen from the middle of the sphere: the paper&apos;s near half, up to 180° across, has α up to 90°.</source>
         <translation>α는 구의 중심에서 본 시선과의 각도입니다. 논문이 말하는 180°까지의 가까운 쪽 절반은 α가 90° 이하입니다.</translation>
-    </message>
-    <message>
-        <source>White cells: no triangle has its centroid there.</source>
-        <translation>흰 셀: 무게중심이 그곳에 있는 삼각형이 없습니다.</translation>
     </message>
     <message>
         <source>from the side, as in Figures 5 to 7, with what is left out</source>
@@ -7592,10 +7564,6 @@
         <translation>그림 5~7은 같은 카메라로 본 것임: 오른쪽에서 오는 시선의 옆, 조금 뒤쪽에서.</translation>
     </message>
     <message>
-        <source>the largest S: from the sight ray through O to the surface</source>
-        <translation>가장 큰 S: O를 지나는 시선에서 표면까지</translation>
-    </message>
-    <message>
         <source>level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden</source>
         <translation>가장 큰 S의 높이: α = 90° 너머에서 눈에서 더 멀고 이보다 낮은 띠는 가려짐</translation>
     </message>
@@ -7666,6 +7634,38 @@
     <message>
         <source>Of the drawn cells, left out one by one: %1</source>
         <translation>그린 셀에서 하나씩 뺀 삼각형: %1</translation>
+    </message>
+    <message>
+        <source>where a band begins that is drawn, by sector</source>
+        <translation>그리는 띠가 시작되는 곳, 부채꼴별</translation>
+    </message>
+    <message>
+        <source>where a band begins that is hidden, by sector</source>
+        <translation>가려진 띠가 시작되는 곳, 부채꼴별</translation>
+    </message>
+    <message>
+        <source>the largest S: from the sight ray through O to a triangle&apos;s centroid</source>
+        <translation>가장 큰 S: O를 지나는 시선에서 삼각형의 무게중심까지</translation>
+    </message>
+    <message>
+        <source>S of a band that is drawn, at its own triangle</source>
+        <translation>그리는 띠의 S, 그 삼각형의 자리에</translation>
+    </message>
+    <message>
+        <source>On the object contours shorter than %1 of the sphere&apos;s radius are left out.</source>
+        <translation>물체 위에서 구 반지름의 %1배보다 짧은 등고선은 생략됨.</translation>
+    </message>
+    <message>
+        <source>Drawn in vain: drawn, but in no pixel of the picture from the eye. White cells: no triangle has its centroid there.</source>
+        <translation>헛되이 그려짐: 그려지지만 눈에서 본 그림의 어느 픽셀에도 나타나지 않습니다. 흰 셀: 무게중심이 그곳에 있는 삼각형이 없습니다.</translation>
+    </message>
+    <message>
+        <source>of the cell in which the triangle hit was found</source>
+        <translation>교차된 삼각형을 찾은 셀의 R</translation>
+    </message>
+    <message>
+        <source>Four corner rays, from where they enter the sphere</source>
+        <translation>모서리 광선 네 개, 구에 들어가는 곳부터</translation>
     </message>
 </context>
 <context>

@@ -5220,18 +5220,6 @@
         <translation>进入球处</translation>
     </message>
     <message>
-        <source>contour of a band that is drawn</source>
-        <translation>被绘制的环带的等高线</translation>
-    </message>
-    <message>
-        <source>contour of a band that is hidden</source>
-        <translation>被遮挡的环带的等高线</translation>
-    </message>
-    <message>
-        <source>S of a band that is drawn</source>
-        <translation>被绘制的环带的 S</translation>
-    </message>
-    <message>
         <source>S of a band that is hidden</source>
         <translation>被遮挡的环带的 S</translation>
     </message>
@@ -5326,10 +5314,6 @@
     <message>
         <source>Inside the frustum?</source>
         <translation>在视锥体内？</translation>
-    </message>
-    <message>
-        <source>Four corner rays of the frustum</source>
-        <translation>视锥体的四条角光线</translation>
     </message>
     <message>
         <source>Search of the triangle index map for the triangles hit</source>
@@ -6824,10 +6808,6 @@
         <translation>其在垂直轴上的投影</translation>
     </message>
     <message>
-        <source>On the object contours shorter than %1 R are left out.</source>
-        <translation>物体上短于 %1 R 的等高线已剔除。</translation>
-    </message>
-    <message>
         <source>front: from the eye</source>
         <translation>正面：从视点看</translation>
     </message>
@@ -6850,10 +6830,6 @@
     <message>
         <source>R of the triangles of a cell</source>
         <translation>单元中三角形的 R</translation>
-    </message>
-    <message>
-        <source>of the cell in which one is hit</source>
-        <translation>命中三角形的单元的 R</translation>
     </message>
     <message>
         <source>R of the ray</source>
@@ -7202,10 +7178,6 @@
     <message>
         <source>α is the angle from the sight ray, seen from the middle of the sphere: the paper&apos;s near half, up to 180° across, has α up to 90°.</source>
         <translation>α 是从球心看去与视线的夹角：论文所说 180° 以内的近侧一半，其 α 不超过 90°。</translation>
-    </message>
-    <message>
-        <source>White cells: no triangle has its centroid there.</source>
-        <translation>白色单元：没有三角形的质心落在其中。</translation>
     </message>
     <message>
         <source>from the side, as in Figures 5 to 7, with what is left out</source>
@@ -7592,10 +7564,6 @@
         <translation>图 5 至 7 用同一相机观察：从视线旁边稍偏后，视线来自右侧。</translation>
     </message>
     <message>
-        <source>the largest S: from the sight ray through O to the surface</source>
-        <translation>最大的 S：从过 O 的视线到表面</translation>
-    </message>
-    <message>
         <source>level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden</source>
         <translation>最大 S 的高度：α = 90° 之外，离视点更远且低于它的带被遮挡</translation>
     </message>
@@ -7666,6 +7634,38 @@
     <message>
         <source>Of the drawn cells, left out one by one: %1</source>
         <translation>已绘制单元中逐个略去：%1</translation>
+    </message>
+    <message>
+        <source>where a band begins that is drawn, by sector</source>
+        <translation>被绘制的环带由此开始，按扇区</translation>
+    </message>
+    <message>
+        <source>where a band begins that is hidden, by sector</source>
+        <translation>被遮挡的环带由此开始，按扇区</translation>
+    </message>
+    <message>
+        <source>the largest S: from the sight ray through O to a triangle&apos;s centroid</source>
+        <translation>最大的 S：从过 O 的视线到三角形的质心</translation>
+    </message>
+    <message>
+        <source>S of a band that is drawn, at its own triangle</source>
+        <translation>被绘制的环带的 S，位于其三角形处</translation>
+    </message>
+    <message>
+        <source>On the object contours shorter than %1 of the sphere&apos;s radius are left out.</source>
+        <translation>物体上短于球半径 %1 倍的等高线已略去。</translation>
+    </message>
+    <message>
+        <source>Drawn in vain: drawn, but in no pixel of the picture from the eye. White cells: no triangle has its centroid there.</source>
+        <translation>徒劳绘制：已绘制，但在视点图像中没有占据任何像素。白色单元：没有三角形的质心落在其中。</translation>
+    </message>
+    <message>
+        <source>of the cell in which the triangle hit was found</source>
+        <translation>找到命中三角形的单元的 R</translation>
+    </message>
+    <message>
+        <source>Four corner rays, from where they enter the sphere</source>
+        <translation>四条角光线，从进入包围球处开始</translation>
     </message>
 </context>
 <context>

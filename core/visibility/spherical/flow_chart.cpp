@@ -36,7 +36,7 @@ FlowChart flowChart() {
         {Kind::Action, CULLSCOPE_TR("Nothing is drawn"), 0.0, 2.0, {line(BandsLine::Outside)}},
         {Kind::Action, CULLSCOPE_TR("All of it is drawn"), 2.0, 2.0, {line(BandsLine::Whole)}},
         {Kind::Question, CULLSCOPE_TR("Inside the frustum?"), 1.0, 3.0},
-        {Kind::Action, CULLSCOPE_TR("Four corner rays of the frustum"), 1.0, 4.0, {line(BandsLine::Rays)}},
+        {Kind::Action, CULLSCOPE_TR("Four corner rays, from where they enter the sphere"), 1.0, 4.0, {line(BandsLine::Rays)}},
         {Kind::Action,
          CULLSCOPE_TR("Search of the triangle index map for the triangles hit"),
          1.0,
