@@ -26,13 +26,18 @@ struct CommandOptions {
     std::string store, report;
 };
 
-/// An experiment with a scene of the user's.
-Experiment ofScene(const std::string& id, const std::string& scene) {
-    if (id != kAllExperiments && findExperiment(id).ofScene) return findExperiment(id).ofScene(scene);
+/// The experiments that take a scene of the user's, as a list in words.
+std::string thoseWithAScene() {
     std::string known;
     for (const Experiment& experiment : knownExperiments())
         if (experiment.ofScene) known += (known.empty() ? "" : ", ") + experiment.id;
-    throwUsage(CULLSCOPE_TR("%1 has scenes of its own and takes no other one. Taking one: %2."), {id, known});
+    return known;
+}
+
+/// An experiment with a scene of the user's.
+Experiment ofScene(const std::string& id, const std::string& scene) {
+    if (id != kAllExperiments && findExperiment(id).ofScene) return findExperiment(id).ofScene(scene);
+    throwUsage(CULLSCOPE_TR("%1 has scenes of its own and takes no other one. Taking one: %2."), {id, thoseWithAScene()});
 }
 
 std::vector<const Experiment*> chosen(const std::string& id) {
@@ -194,8 +199,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     auto options = std::make_shared<CommandOptions>();
     command->add_option("EXPERIMENT", options->experiment, "one of `cullbench list experiments`, or all")->required();
     command->add_option("SCENE", options->scene,
-                        "a scene of yours in place of the experiment's own: quiz, example, "
-                        "plant-losses and occlusion-growth take one");
+                        "a scene of yours in place of the experiment's own, where that takes one: " + thoseWithAScene());
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));
     command->add_option("--json", options->files.json, "result file; - is standard output");

@@ -6617,7 +6617,7 @@
     </message>
     <message>
         <source>Show in the active view which triangles hide what lies behind them</source>
-        <translation>어느 삼각형이 뒤에 있는 것을 가리는지 활성 보기에 표시합니다</translation>
+        <translation>어느 삼각형이 뒤에 있는 것을 가리는지 활성 뷰에 표시합니다</translation>
     </message>
     <message>
         <source>drawn as an occluder</source>
@@ -7712,7 +7712,7 @@ OpenGL %2
     </message>
     <message>
         <source>&amp;Show it in the active view</source>
-        <translation>활성 보기에 표시(&amp;S)</translation>
+        <translation>활성 뷰에 표시(&amp;S)</translation>
     </message>
     <message>
         <source>&amp;Export</source>
@@ -7825,6 +7825,10 @@ OpenGL %2
     <message>
         <source>Export</source>
         <translation>내보내기</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Choose a camera path above and press Advise.</source>
+        <translation>아직 측정한 것이 없습니다. 위에서 카메라 경로를 고르고 조언을 누르십시오.</translation>
     </message>
 </context>
 <context>
@@ -9317,11 +9321,11 @@ OpenGL %2
     </message>
     <message>
         <source>%1. Enter shows this strategy in the active view.</source>
-        <translation>%1. Enter를 누르면 활성 보기에 이 전략을 표시합니다.</translation>
+        <translation>%1. Enter를 누르면 활성 뷰에 이 전략을 표시합니다.</translation>
     </message>
     <message>
         <source>A click shows it in the active view.</source>
-        <translation>클릭하면 활성 보기에 표시합니다.</translation>
+        <translation>클릭하면 활성 뷰에 표시합니다.</translation>
     </message>
 </context>
 <context>
@@ -11759,7 +11763,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>Search for the view in which the active view&apos;s strategy loses most or gains least</source>
-        <translation>활성 보기의 전략이 가장 많이 잃거나 가장 적게 얻는 시점을 찾습니다</translation>
+        <translation>활성 뷰의 전략이 가장 많이 잃거나 가장 적게 얻는 시점을 찾습니다</translation>
     </message>
 </context>
 <context>
@@ -11830,7 +11834,7 @@ sides [95 %]</source>
     </message>
     <message>
         <source>The active view&apos;s strategy is drawn in many views, and the worst ones are searched more closely. A click on the map flies there.</source>
-        <translation>활성 보기의 전략을 많은 시점에서 그리고, 최악인 곳을 더 자세히 찾습니다. 지도를 클릭하면 그곳으로 갑니다.</translation>
+        <translation>활성 뷰의 전략을 많은 시점에서 그리고, 최악인 곳을 더 자세히 찾습니다. 지도를 클릭하면 그곳으로 갑니다.</translation>
     </message>
     <message>
         <source>Save the map</source>

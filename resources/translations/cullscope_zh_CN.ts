@@ -7826,6 +7826,10 @@ OpenGL %2
         <source>Export</source>
         <translation>导出</translation>
     </message>
+    <message>
+        <source>Nothing is measured yet. Choose a camera path above and press Advise.</source>
+        <translation>尚未测量。请在上方选择相机路径并按“建议”。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AnswerDialog</name>

@@ -45,6 +45,16 @@ TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
     EXPECT_EQ(filesWritten(), 0u);
 }
 
+TEST_F(CullbenchContract, helpOfReproduceNamesEveryExperimentThatTakesAScene) {
+    const std::string help = cullbench({"reproduce", "--help"}).out;
+    const std::string refusal = cullbench({"reproduce", "vfc-40-views", "torus"}).err, before = "Taking one: ";
+    const size_t first = refusal.find(before);
+    ASSERT_NE(first, std::string::npos) << refusal;
+    const std::string taking = refusal.substr(first + before.size(), refusal.find('.', first) - first - before.size());
+    EXPECT_THAT(taking, HasSubstr("table-2, "));
+    EXPECT_THAT(help, HasSubstr(taking));
+}
+
 TEST_F(CullbenchContract, reproduceWritesTheRowsOfOneExperimentAsCsv) {
     const ProcessResult result = cullbench({"reproduce", "quiz", "--csv", "-", "--json", file("t.json")});
     ASSERT_EQ(result.exitStatus, 0) << result.err;

@@ -35,6 +35,8 @@ TEST_F(AdviceDialogs, adviceAnswersFirstAndShowsAStrategyInTheActiveView) {
     auto* dialog = window.findChild<AdviseDialog*>();
     ASSERT_NE(dialog, nullptr);
     EXPECT_FALSE(dialog->showButton().isEnabled()) << "nothing is advised yet";
+    const QString button = dialog->startButton().text().remove(QLatin1Char('&'));
+    EXPECT_TRUE(dialog->plot().accessibleDescription().contains(button)) << "the empty plot names the button to press";
     dialog->path().setCurrentText(QStringLiteral("fibonacci:2"));
     dialog->size().setCurrentIndex(0);
     QSignalSpy ended(dialog, &AdviseDialog::ended);

@@ -104,6 +104,7 @@ AdviseDialog::AdviseDialog(Session& session, QWidget* parent)
     m_answer->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     setUpTable();
     m_plot->setAxes(tradeFigure("ratio_to_all"), tradeFigure(kUsualUp));
+    m_plot->setEmptySentence(tr("Nothing is measured yet. Choose a camera path above and press Advise."));
     auto* parts = new QSplitter(Qt::Vertical, this);
     parts->addWidget(m_table);
     parts->addWidget(m_plot);

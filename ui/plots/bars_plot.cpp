@@ -24,11 +24,6 @@ void BarsPlot::setBars(const std::vector<Bars>& bars) {
     contentsChanged();
 }
 
-void BarsPlot::setEmptySentence(const QString& sentence) {
-    m_emptySentence = sentence;
-    contentsChanged();
-}
-
 QString BarsPlot::title() const { return m_bars.size() == 1 ? translated(m_bars.front().title) : tr("Counts"); }
 
 QString BarsPlot::description() const {

@@ -15,8 +15,6 @@ public:
     explicit BarsPlot(QWidget* parent = nullptr);
 
     void setBars(const std::vector<Bars>& bars);
-    /// The sentence where there are no bars.
-    void setEmptySentence(const QString& sentence);
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool empty() const override { return m_bars.empty(); }
@@ -24,12 +22,10 @@ public:
     [[nodiscard]] int neededHeight(int width) const override;
 
 protected:
-    [[nodiscard]] QString emptySentence() const override { return m_emptySentence; }
     [[nodiscard]] QString description() const override;
 
 private:
     std::vector<Bars> m_bars;
-    QString m_emptySentence;
 };
 
 }  // namespace cullscope::ui

@@ -28,11 +28,6 @@ void FlowChartPlot::setChart(const FlowChart& chart, uint8_t line) {
     contentsChanged();
 }
 
-void FlowChartPlot::setEmptySentence(const QString& sentence) {
-    m_emptySentence = sentence;
-    contentsChanged();
-}
-
 QString FlowChartPlot::title() const { return tr("Flow chart"); }
 
 QString FlowChartPlot::description() const {

@@ -14,7 +14,6 @@ public:
 
     /// `line`: of the listing, from 1; 0: none is lit.
     void setChart(const FlowChart& chart, uint8_t line);
-    void setEmptySentence(const QString& sentence);
     [[nodiscard]] uint8_t line() const { return m_line; }
 
     /// Where the lit box lies; empty: none is lit.
@@ -26,7 +25,6 @@ public:
     [[nodiscard]] int neededHeight(int width) const override;
 
 protected:
-    [[nodiscard]] QString emptySentence() const override { return m_emptySentence; }
     [[nodiscard]] QString description() const override;
 
 private:
@@ -34,7 +32,6 @@ private:
 
     FlowChart m_chart;
     uint8_t m_line = 0;
-    QString m_emptySentence;
 };
 
 }  // namespace cullscope::ui

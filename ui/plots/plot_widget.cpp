@@ -23,8 +23,14 @@ void PlotWidget::setMeasuring(bool measuring) {
     contentsChanged();
 }
 
+void PlotWidget::setEmptySentence(const QString& sentence) {
+    m_emptySentence = sentence;
+    contentsChanged();
+}
+
 QString PlotWidget::emptySentence() const {
     if (m_measuring) return tr("Being measured…");
+    if (!m_emptySentence.isNull()) return m_emptySentence;
     return tr("Nothing is measured yet. Choose a camera path above and press Start.");
 }
 

@@ -17,6 +17,8 @@ public:
 
     /// While an experiment runs, an empty plot says so.
     void setMeasuring(bool measuring);
+    /// The sentence where there is nothing to show, in place of that of the statistics' plots.
+    void setEmptySentence(const QString& sentence);
 
     /// What it is, in the user's language: its accessible name and the title of what is exported.
     [[nodiscard]] virtual QString title() const = 0;
@@ -45,6 +47,7 @@ protected:
 
 private:
     bool m_measuring = false;
+    QString m_emptySentence;  ///< null: that of the statistics' plots
 };
 
 }  // namespace cullscope::ui
