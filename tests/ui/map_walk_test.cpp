@@ -36,6 +36,11 @@ struct WalkMap : ::testing::Test {
         ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
+    /// A scene of so many triangles that the horizon is tested though all is in view.
+    void openWithHorizon() {
+        open(QStringLiteral("star:seed=7,triangles=24000"));
+        settle();
+    }
     void choose(const char* colouring) {
         const int index = panel.colouring().findData(QString::fromLatin1(colouring));
         ASSERT_GE(index, 0);
@@ -84,22 +89,23 @@ TEST_F(WalkMap, aMeshWithoutAKernelSaysWhyAndHasNoKernelColours) {
     EXPECT_FALSE(offers("kernel"));
     EXPECT_EQ(panel.map().colouring(), "entries");
     const QStringList said = lines();
-    ASSERT_EQ(said.size(), 2);
-    EXPECT_TRUE(said[1].startsWith(QStringLiteral("No kernel: "))) << said[1].toStdString();
-    EXPECT_TRUE(said[1].contains(QString::fromLatin1(InnerKernel::stateName(snapshot().kernel->state()))));
+    ASSERT_GE(said.size(), 2);
+    EXPECT_TRUE(said.back().startsWith(QStringLiteral("No kernel: "))) << said.back().toStdString();
+    EXPECT_TRUE(said.back().contains(QString::fromLatin1(InnerKernel::stateName(snapshot().kernel->state()))));
     EXPECT_TRUE(said[0].contains(QStringLiteral("horizon not used")));
 }
 
 TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
+    openWithHorizon();
     const spherical::CellWalk& walk = *snapshot().decision.walk;
     ASSERT_TRUE(walk.cones && walk.hiding);
     ASSERT_GT(walk.culled[size_t(Cause::BackFacing)], 0U);
     const QStringList said = lines();
-    ASSERT_EQ(said.size(), 2);
+    ASSERT_GE(said.size(), 2);
     EXPECT_TRUE(said[0].contains(QLocale().toString(qulonglong(walk.culled[size_t(Cause::BackFacing)]))))
         << said[0].toStdString();
     EXPECT_FALSE(said[0].contains(QStringLiteral("not used")));
-    EXPECT_TRUE(said[1].startsWith(QStringLiteral("Kernel filled to R ")));
+    EXPECT_TRUE(said.back().startsWith(QStringLiteral("Kernel filled to R ")));
     EXPECT_TRUE(panel.map().accessibleDescription().contains(said[0]));
     ParameterSet without = session.slot(1).parameters();
     without.set("cones", false);
@@ -107,7 +113,7 @@ TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
     session.slot(1).setParameters(without);
     settle();
     EXPECT_EQ(lines()[0].count(QStringLiteral("not used")), 2);
-    EXPECT_TRUE(lines()[1].startsWith(QStringLiteral("No kernel")));
+    EXPECT_TRUE(lines().back().startsWith(QStringLiteral("No kernel")));
 }
 
 TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
@@ -137,6 +143,7 @@ TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
 }
 
 TEST_F(WalkMap, legendHasCellsAndHorizonAndTheStatesThatThereAre) {
+    openWithHorizon();
     EXPECT_TRUE(words().contains(QStringLiteral("cell of the quadtree")));
     EXPECT_TRUE(words().contains(QStringLiteral("horizon of the kernel")));
     choose("state");
