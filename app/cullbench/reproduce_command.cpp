@@ -198,7 +198,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("reproduce", "A paper's table beside the same measured here");
     auto options = std::make_shared<CommandOptions>();
     command->add_option("EXPERIMENT", options->experiment, "one of `cullbench list experiments`, or all")->required();
-    command->add_option("SCENE", options->scene,
+    command->add_option("--scene,SCENE", options->scene,
                         "a scene of yours in place of the experiment's own, where that takes one: " + thoseWithAScene());
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));

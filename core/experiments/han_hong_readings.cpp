@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "core/experiments/han_hong_random_views.h"
 #include "core/experiments/han_hong_rows.h"
 #include "core/visibility/spherical/map_coordinates.h"
 #include "core/visibility/spherical/readings.h"
@@ -49,6 +51,23 @@ CameraPath viewsNearTheEdge(const Scene& scene) {
     return all;
 }
 
+/// Twelve random views with 45 degrees in which one to three corner rays hit the object.
+CameraPath viewsWithSomeHits(const Scene& scene) {
+    const Angle field = Angle::fromDegrees(45.0);
+    CameraPath path;
+    path.name = "some-rays-hit";
+    path.fovy = field;
+    path.nearDistance = std::numeric_limits<double>::infinity();
+    for (const RandomView& each : randomViews(scene, ConsideredFaces(scene), field, kRandomViews, 12,
+                                              [](const Considered& found) { return found.hits >= 1 && found.hits <= 3; })) {
+        const Camera& camera = each.view.camera();
+        path.poses.push_back({camera.eye, camera.target, camera.up});
+        path.nearDistance = std::min(path.nearDistance, camera.nearDistance);
+        path.farDistance = std::max(path.farDistance, camera.farDistance);
+    }
+    return path;
+}
+
 /// `spherical` as it reads the paper by default, and with each other reading alone.
 std::vector<std::string> readings() {
     std::vector<std::string> result{"spherical"};
@@ -81,12 +100,15 @@ Experiment sphericalReadings() {
                           "bounding sphere lies inside the frustum. What becomes of one to three rays that miss, how hits are "
                           "joined, and whether a band that is hidden ends its sector, the paper does not say.")),
         note(CULLSCOPE_TR("Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, "
-                          "36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.")),
+                          "36 views from 1.6 to 2.7 radii with 45 degrees, 12 random ones with 45 degrees in which one to three "
+                          "corner rays hit, and 12 views of the whole object.")),
         lossNote()};
     Axis paths{"path", CULLSCOPE_TR("views"), Axis::Kind::Path, {}};
-    std::vector<Setting> settings{bunnySetting("case-1", kSmall), bunnySetting("case-2", kSmall), bunnySetting("case-3", kSmall),
-                                  bunnySetting("around-2r", kLarge), bunnySetting("fibonacci:12", kLarge)};
+    std::vector<Setting> settings{bunnySetting("case-1", kSmall),        bunnySetting("case-2", kSmall),
+                                  bunnySetting("case-3", kSmall),        bunnySetting("around-2r", kLarge),
+                                  bunnySetting("some-rays-hit", kLarge), bunnySetting("fibonacci:12", kLarge)};
     settings[3].views = viewsNearTheEdge;
+    settings[4].views = viewsWithSomeHits;
     for (const Setting& setting : settings) paths.values.emplace_back(setting.path);
     experiment.axes = {paths, strategiesAxis(readings())};
     for (Setting& setting : settings) {
@@ -135,6 +157,8 @@ Experiment sphericalDomain() {
         }
         return rows;
     };
+    for (ResultColumn& column : experiment.columns)
+        if (column.key == kDistance) column.decimals = 2;
     experiment.columns.insert(experiment.columns.begin() + 4,
                               {{"region_share", CULLSCOPE_TR("region between rays, share of the views"), Origin::Measured, 2},
                                {"considered_share", CULLSCOPE_TR("share of the faces"), Origin::Measured, 3}});

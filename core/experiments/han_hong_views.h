@@ -39,11 +39,17 @@ struct TableCase {
 };
 [[nodiscard]] const std::array<TableCase, 3>& tableCases();
 
+/// Random views that are tried for a case and lens (han_hong_random_views.h).
+inline constexpr size_t kRandomViews = 20'000;
+/// Considered faces within this share of the wanted number count as the paper's.
+inline constexpr double kNearTheShare = 0.05;
+
 /// Twelve views of a case with this vertical field of view at 4 : 3, each from slightly another direction, with the target (the
 /// surface's middle, the bounding sphere's centre, or between both) and the distance at which the case is the stated one and the
-/// considered faces are nearest to the case's share of the object's, and of these with the most corner rays that hit. A direction
-/// that gives the case with no target and distance has a view with nearly as many faces of another case; the rows of such a path
-/// show it. The scene must not be empty.
+/// considered faces are nearest to the case's share of the object's, and of these with the most corner rays that hit. Where a
+/// direction has no view of the case near that share, up to twelve random views that are take the place of all
+/// (han_hong_random_views.h). Where there are none either, such a direction has the nearest view, maybe of another case; the rows
+/// of the path show it. The scene must not be empty.
 [[nodiscard]] CameraPath viewsOfCase(const Scene& scene, const TableCase& wanted, Angle field);
 
 /// The share of an object's faces that views of a case consider: the range over the same targets and distances of 1.02 to 12
@@ -54,7 +60,8 @@ struct ShareRange {
 [[nodiscard]] std::optional<ShareRange> sharesOfCase(const Scene& scene, const ConsideredFaces& faces, const TableCase& wanted,
                                                      Angle field, const Vec3& direction);
 
-/// Which cases have views with the paper's number of faces: by lens, over all targets, distances and a case's twelve directions.
-[[nodiscard]] Experiment tableViews();
+/// Which cases have views with the paper's number of faces: by lens, over all targets, distances and a case's twelve directions,
+/// and among that many random views.
+[[nodiscard]] Experiment tableViews(size_t randomViews = kRandomViews);
 
 }  // namespace cullscope::han_hong

@@ -4888,10 +4888,6 @@
         <translation>2.3절은 모서리 광선이 하나도 만나지 않는 물체를 등고선 띠로 보내고, 부록 1은 경계 구가 절두체 안에 있는 물체만 보냅니다. 빗나간 광선이 한 개에서 세 개일 때, 교점을 잇는 방법, 가려진 띠가 그 부채꼴을 끝내는지는 논문에 없습니다.</translation>
     </message>
     <message>
-        <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.</source>
-        <translation>첫 행을 뺀 각 행은 spherical과 읽는 방식 하나가 다릅니다. 시점은 표 2의 세 경우, 반지름의 1.6배에서 2.7배까지 45도의 36개, 물체 전체가 보이는 12개입니다.</translation>
-    </message>
-    <message>
         <source>Where the spherical method works</source>
         <translation>구 좌표 방법이 통하는 곳</translation>
     </message>
@@ -4934,10 +4930,6 @@
     <message>
         <source>Which cases have views that consider the paper&apos;s faces</source>
         <translation>논문의 면 개수를 고려하는 시점이 있는 경우</translation>
-    </message>
-    <message>
-        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most. Where the paper&apos;s share lies between both, the case has such views.</source>
-        <translation>그 경우가 나타나는 곳에서 spherical이 고려하는 면의 비율을, 반지름의 1.02배에서 12배까지 48개 거리, 세 목표점, 그 경우의 방향 둘레 열두 방향에 걸쳐 최소와 최대로 나타냅니다. 논문의 비율이 그 사이에 있으면 그런 시점이 있습니다.</translation>
     </message>
     <message>
         <source>faces wanted</source>
@@ -7666,6 +7658,22 @@
     <message>
         <source>Four corner rays, from where they enter the sphere</source>
         <translation>모서리 광선 네 개, 구에 들어가는 곳부터</translation>
+    </message>
+    <message>
+        <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, 12 random ones with 45 degrees in which one to three corner rays hit, and 12 views of the whole object.</source>
+        <translation>첫 행을 뺀 각 행은 spherical과 읽는 방식 하나가 다릅니다. 시점은 표 2의 세 경우, 반지름의 1.6배에서 2.7배까지 45도의 36개, 모서리 광선이 한 개에서 세 개까지 교차하는 45도의 무작위 12개, 물체 전체가 보이는 12개입니다.</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>찾지 못함</translation>
+    </message>
+    <message>
+        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most; and of 20,000 random views (the eye 1.05 to 4 radii away, any target within the bounding sphere, any roll) those of the case whose faces are within 5 % of the paper&apos;s. Where the paper&apos;s share lies between both, or a random view has it, the case has such views.</source>
+        <translation>그 경우가 나타나는 곳에서 spherical이 고려하는 면의 비율을, 반지름의 1.02배에서 12배까지 48개 거리, 세 목표점, 그 경우의 방향 둘레 열두 방향에 걸쳐 최소와 최대로 나타냅니다. 또한 무작위 시점 20,000개(눈은 반지름의 1.05배에서 4배 거리, 목표점은 경계구 안 어디나, 기울기는 임의) 가운데 면의 수가 논문의 5 % 안인 것을 셉니다. 논문의 비율이 그 사이에 있거나 그런 무작위 시점이 있으면 그런 시점이 있습니다.</translation>
+    </message>
+    <message>
+        <source>such random views, of 20,000</source>
+        <translation>그런 무작위 시점, 20,000개 중</translation>
     </message>
 </context>
 <context>

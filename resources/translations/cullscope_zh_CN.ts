@@ -4888,10 +4888,6 @@
         <translation>第 2.3 节把没有角光线命中的物体交给等高环带；附录 1 只交出包围球在视锥内的物体。有一到三条光线未命中时如何处理、命中点如何连接、被遮挡的带是否终止其扇区，论文未说明。</translation>
     </message>
     <message>
-        <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, and 12 views of the whole object.</source>
-        <translation>除第一行外，每行与 spherical 只差一种解读。视图为表 2 的三种情况、距离 1.6 至 2.7 倍半径且 45 度的 36 个视图，以及看到整个物体的 12 个视图。</translation>
-    </message>
-    <message>
         <source>Where the spherical method works</source>
         <translation>球坐标方法适用之处</translation>
     </message>
@@ -4934,10 +4930,6 @@
     <message>
         <source>Which cases have views that consider the paper&apos;s faces</source>
         <translation>哪些情况存在考虑论文面数的视图</translation>
-    </message>
-    <message>
-        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most. Where the paper&apos;s share lies between both, the case has such views.</source>
-        <translation>在出现该情况之处 spherical 所考虑的面的占比，遍及 1.02 至 12 倍半径的 48 个距离、三个目标点和该情况方向周围的十二个方向：最小值与最大值。论文的占比在两者之间时，该情况存在这样的视图。</translation>
     </message>
     <message>
         <source>faces wanted</source>
@@ -7666,6 +7658,22 @@
     <message>
         <source>Four corner rays, from where they enter the sphere</source>
         <translation>四条角光线，从进入包围球处开始</translation>
+    </message>
+    <message>
+        <source>Each row but the first differs from spherical by one reading. Views are the three cases of Table 2, 36 views from 1.6 to 2.7 radii with 45 degrees, 12 random ones with 45 degrees in which one to three corner rays hit, and 12 views of the whole object.</source>
+        <translation>除第一行外，每行与 spherical 只差一种解读。视图为表 2 的三种情况、距离 1.6 至 2.7 倍半径且 45 度的 36 个视图、45 度且有一到三条角光线命中的 12 个随机视图，以及看到整个物体的 12 个视图。</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most; and of 20,000 random views (the eye 1.05 to 4 radii away, any target within the bounding sphere, any roll) those of the case whose faces are within 5 % of the paper&apos;s. Where the paper&apos;s share lies between both, or a random view has it, the case has such views.</source>
+        <translation>在出现该情况之处 spherical 所考虑的面的占比，遍及 1.02 至 12 倍半径的 48 个距离、三个目标点和该情况方向周围的十二个方向：最小值与最大值；以及 20,000 个随机视图（视点距离为 1.05 至 4 倍半径，目标点在包围球内任意处，任意滚转）中面数与论文相差 5 % 以内者。论文的占比在两者之间，或有随机视图达到时，该情况存在这样的视图。</translation>
+    </message>
+    <message>
+        <source>such random views, of 20,000</source>
+        <translation>这样的随机视图，共 20,000 个</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/experiments/experiment_list.h"
+#include "core/experiments/han_hong_random_views.h"
 #include "core/scene/scene_source.h"
 #include "tests/support/culler.h"
 #include "tests/support/long_mode.h"
@@ -84,7 +85,7 @@ TEST(HanHongViews, caseThatNoDistanceGivesHasNoShares) {
 }
 
 TEST(HanHongViews, tableOfViewsSaysWhereACaseExists) {
-    Experiment experiment = findExperiment("table-2-views");
+    Experiment experiment = han_hong::tableViews(500);
     experiment.settings.front().scene = "star:seed=7,triangles=3000";
     const ResultTable table = runExperiment(experiment, {});
     ASSERT_EQ(table.rows.size(), 3u * 6u);
@@ -96,9 +97,26 @@ TEST(HanHongViews, tableOfViewsSaysWhereACaseExists) {
         const std::optional<double> least = share("least_share"), most = share("most_share"), wanted = share("wanted_share");
         ASSERT_TRUE(wanted);
         EXPECT_EQ(least.has_value(), most.has_value());
-        const bool within = least && *least <= *wanted && *wanted <= *most;
-        EXPECT_EQ(std::get<std::string>(valueOf(table, row, "exists")), within ? "yes" : "no") << row;
+        const bool within = least && *least <= *wanted && *wanted <= *most, random = share("random_views").value() > 0.0;
+        EXPECT_EQ(std::get<std::string>(valueOf(table, row, "exists")), within || random ? "yes" : "none found") << row;
     }
+}
+
+TEST(HanHongViews, whereTheCasesOwnDirectionsHaveNoSuchViewRandomOnesTakeTheirPlace) {
+    const ScenePointer scene = body();
+    const ConsideredFaces considered(*scene);
+    const han_hong::TableCase& wanted = tableCases()[0];
+    const Angle field = Angle::fromDegrees(65.0);
+    const double faces = wanted.share * double(scene->triangleCount());
+    const auto near = [&](const Considered& found) {
+        return found.caseNumber == wanted.number && std::abs(double(found.faces) / faces - 1.0) <= han_hong::kNearTheShare;
+    };
+    const auto random = han_hong::randomViewsOfCase(*scene, considered, wanted, field, han_hong::kRandomViews, 12);
+    ASSERT_FALSE(random.empty());
+    for (const han_hong::RandomView& each : random) EXPECT_TRUE(near(considered.in(each.view)));
+    const CameraPath path = han_hong::viewsOfCase(*scene, wanted, field);
+    for (size_t pose = 0; pose < path.poses.size(); ++pose)
+        EXPECT_EQ(considered.in(View(path.camera(pose), {320, 240})).caseNumber, wanted.number) << pose;
 }
 
 TEST(HanHongViews, experimentsTakeAnotherScene) {
