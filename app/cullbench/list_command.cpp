@@ -1,9 +1,8 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
+#include "core/base/json.h"
 #include "core/experiments/experiment_list.h"
 #include "core/scene/gallery/gallery.h"
 #include "core/scene/gltf/gltf_scene.h"
@@ -13,8 +12,6 @@
 
 namespace cullscope::cullbench {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct ListOptions {
     std::string what;

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/base/terminal_text.h"
 #include "core/experiments/result_file.h"
 #include "core/geometry/frustum_planes.h"
@@ -76,17 +76,17 @@ void runInspect(const InspectOptions& options, const Context& context) {
     const std::optional<PlaneFigures> planes = planeFigures(strategy->info(), scene);
     const char* facing = facingId(strategy->facing());
     if (!options.json.empty()) {
-        nlohmann::ordered_json json{{"scene",
-                                     {{"name", scene.name()},
-                                      {"triangles", scene.triangleCount()},
-                                      {"instances", scene.instances().size()},
-                                      {"meshes", scene.meshes().size()},
-                                      {"bytes", scene.bytes()}}},
-                                    {"strategy", request.id},
-                                    {"promise", promiseId(strategy->promise())},
-                                    {"facing", facing},
-                                    {"build_ms", structure.buildMilliseconds},
-                                    {"structure_bytes", structure.bytes}};
+        Json json{{"scene",
+                   {{"name", scene.name()},
+                    {"triangles", scene.triangleCount()},
+                    {"instances", scene.instances().size()},
+                    {"meshes", scene.meshes().size()},
+                    {"bytes", scene.bytes()}}},
+                  {"strategy", request.id},
+                  {"promise", promiseId(strategy->promise())},
+                  {"facing", facing},
+                  {"build_ms", structure.buildMilliseconds},
+                  {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
         for (const auto& [kind, count] : scene.partCounts()) json["scene"]["primitives"][kind] = count;
         if (const uint64_t all = allOf(scene.partCounts()); all > 0) json["scene"]["primitives_together"] = all;
@@ -96,7 +96,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
                 json["planes"][way] = {{"degrees", difference.angle.degrees()}, {"offset", difference.offset}};
         for (const MeshStates& states : strategy->meshStates())
             for (const auto& [state, meshes] : states.meshes) json[states.key].push_back({{"state", state}, {"meshes", meshes}});
-        writeText(options.json, plainJson(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n");
+        writeText(options.json, plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n");
     }
     if (options.json == "-") return;
     say("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),

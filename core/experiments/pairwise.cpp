@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "core/base/json.h"
 #include "core/base/terminal_text.h"
 #include "core/experiments/result_file.h"
 #include "core/visibility/strategy_request.h"
@@ -79,11 +79,11 @@ std::string pairsText(const MeasureResult& result) {
 }
 
 std::string pairsJson(const MeasureResult& result) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::parse(resultJson(result));
+    Json json = Json::parse(resultJson(result));
     const auto interval = [](const RatioEstimate& estimate) {
-        return estimate.hasInterval ? nlohmann::ordered_json(estimate.ci95) : nlohmann::ordered_json(nullptr);
+        return estimate.hasInterval ? Json(estimate.ci95) : Json(nullptr);
     };
-    json["pairs"] = nlohmann::ordered_json::array();
+    json["pairs"] = Json::array();
     for (const PairOfRuns& pair : pairsOf(result))
         json["pairs"].push_back({{"one", strategyText(result.runs[pair.one].strategy)},
                                  {"other", strategyText(result.runs[pair.other].strategy)},
@@ -93,7 +93,7 @@ std::string pairsJson(const MeasureResult& result) {
                                  {"saved_ms_ci95", interval(pair.difference)},
                                  {"lost_ppm_more", pair.lostDifference},
                                  {"decided", pair.decided()}});
-    return plainJson(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
+    return plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
 std::string pairsCsv(const MeasureResult& result) {

@@ -3,14 +3,13 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/json.h"
 #include "core/base/terminal_text.h"
 #include "core/experiments/result_file.h"
 #include "core/measure/field_figures.h"
 
 namespace cullscope {
 namespace {
-
-using Json = ResultFields;
 
 Json parametersJson(const ParameterSet& parameters) {
     Json json = Json::object();

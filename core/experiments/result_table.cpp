@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/json.h"
 #include "core/base/terminal_text.h"
 #include "core/experiments/result_file.h"
 #include "core/measure/statistics.h"
 
 namespace cullscope {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// As in files of all versions.
 const char* originId(ResultColumn::Origin origin) {

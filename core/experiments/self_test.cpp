@@ -1,9 +1,9 @@
 #include "core/experiments/self_test.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/experiments/occlusion_growth.h"
 #include "core/experiments/result_file.h"
 #include "core/gpu/context.h"
@@ -127,7 +127,6 @@ SelfTest selfTest(const SelfTestRequest& request, const Progress& progress,
 }
 
 std::string selfTestJson(const SelfTest& test) {
-    using Json = nlohmann::ordered_json;
     const ToolVersion tool = toolVersion();
     Json json;
     json["format"] = "cullscope-selftest";

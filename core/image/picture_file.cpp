@@ -4,12 +4,12 @@
 #include <array>
 #include <cassert>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/image/jpeg_scans.h"
 #include "core/image/picture_formats_module.h"
 #include "core/image/picture_pixels.h"
@@ -18,8 +18,6 @@
 
 namespace cullscope {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kOurPrefix = "cullscope:";
 

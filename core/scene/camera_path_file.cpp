@@ -2,17 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/scene/camera_path.h"
 
 namespace cullscope {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::array<const char*, 4> kLensFields{"fovy_deg", "near", "far", "height"};
 constexpr const char* kProjection = "projection";
@@ -194,12 +192,12 @@ CameraPath readCameraPath(const std::filesystem::path& file) {
 
 void writeCameraPath(const std::filesystem::path& file, const CameraPath& path) {
     const auto array = [](const Vec3& v) { return Json::array({v.x, v.y, v.z}); };
-    nlohmann::ordered_json json{{"fovy_deg", path.fovy.degrees()}, {"near", path.nearDistance}, {"far", path.farDistance}};
+    Json json{{"fovy_deg", path.fovy.degrees()}, {"near", path.nearDistance}, {"far", path.farDistance}};
     if (path.projection == ProjectionKind::Parallel) {
         json[kProjection] = projectionId(path.projection);
         json["height"] = path.height;
     }
-    json["poses"] = nlohmann::ordered_json::array();
+    json["poses"] = Json::array();
     for (const CameraPath::Pose& pose : path.poses)
         json["poses"].push_back({{"eye", array(pose.eye)}, {"target", array(pose.target)}, {"up", array(pose.up)}});
     writeFileAtomically(file, [&](std::ostream& out) { out << json.dump(1) << '\n'; });

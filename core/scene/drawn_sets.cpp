@@ -5,16 +5,15 @@
 #include <fstream>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 
 namespace cullscope {
 namespace {
 
-using SetsJson = nlohmann::ordered_json;
 using TriangleRange = std::pair<uint64_t, uint64_t>;
 
 std::optional<uint64_t> wholeNumber(std::string_view text) {
@@ -50,7 +49,7 @@ public:
         for (uint32_t i = 0; i < scene.instances().size(); ++i) m_objects[scene.instances()[i].name].push_back(i);
     }
 
-    DrawnSets read(const SetsJson& root) {
+    DrawnSets read(const Json& root) {
         if (!root.is_object() || !root.contains("poses") || !root["poses"].is_array() || root["poses"].empty())
             throwInput(CULLSCOPE_TR("%1: drawn sets need a list \"poses\" with at least one pose."), {m_file});
         DrawnSets sets;
@@ -58,7 +57,7 @@ public:
         sets.path.fovy = Angle::fromDegrees(lens(root, "fovy_deg", 45.0));
         sets.path.nearDistance = lens(root, "near", sets.path.nearDistance);
         sets.path.farDistance = lens(root, "far", sets.path.farDistance);
-        for (const SetsJson& pose : root["poses"]) {
+        for (const Json& pose : root["poses"]) {
             m_pose = std::to_string(sets.poses.size());
             sets.poses.push_back(drawnAt(pose, sets.byObjects));
             addCamera(pose, sets.path);
@@ -69,13 +68,13 @@ public:
     }
 
 private:
-    double lens(const SetsJson& root, const char* key, double fallback) const {
+    double lens(const Json& root, const char* key, double fallback) const {
         if (!root.contains(key)) return fallback;
         if (!root[key].is_number()) throwInput(CULLSCOPE_TR("%1: \"%2\" must be a number."), {m_file, key});
         return root[key].get<double>();
     }
 
-    DrawnSets::Triangles drawnAt(const SetsJson& pose, bool& byObjects) const {
+    DrawnSets::Triangles drawnAt(const Json& pose, bool& byObjects) const {
         const bool triangles = pose.is_object() && pose.contains("triangles"),
                    objects = pose.is_object() && pose.contains("objects");
         const char* key = triangles ? "triangles" : "objects";
@@ -84,7 +83,7 @@ private:
                        {m_file, m_pose});
         byObjects = byObjects && !triangles;
         DrawnSets::Triangles drawn;
-        for (const SetsJson& entry : pose[key])
+        for (const Json& entry : pose[key])
             if (triangles)
                 drawn.push_back(numbers(entry, m_scene.triangleCount()));
             else
@@ -93,7 +92,7 @@ private:
         return drawn;
     }
 
-    [[noreturn]] void refuse(const SetsJson& entry) const {
+    [[noreturn]] void refuse(const Json& entry) const {
         constexpr size_t kMostShown = 60;
         std::string shown = entry.dump();
         if (shown.size() > kMostShown) shown = std::to_string(shown.size()) + " bytes";
@@ -102,7 +101,7 @@ private:
             {m_file, m_pose, shown, std::to_string(m_scene.triangleCount()), std::to_string(m_scene.instances().size())});
     }
 
-    TriangleRange numbers(const SetsJson& entry, uint64_t count) const {
+    TriangleRange numbers(const Json& entry, uint64_t count) const {
         std::optional<TriangleRange> range;
         if (entry.is_number_unsigned() && entry.get<uint64_t>() < count)
             range = TriangleRange{entry.get<uint64_t>(), entry.get<uint64_t>() + 1};
@@ -112,7 +111,7 @@ private:
         return *range;
     }
 
-    void addObjects(const SetsJson& entry, DrawnSets::Triangles& drawn) const {
+    void addObjects(const Json& entry, DrawnSets::Triangles& drawn) const {
         // The triangles of objects that follow each other do so, too.
         const auto add = [&](uint64_t first, uint64_t last) {
             drawn.emplace_back(m_scene.firstTriangle(first), m_scene.firstTriangle(last) + m_scene.meshOf(last).triangleCount());
@@ -126,13 +125,13 @@ private:
         add(range.first, range.second - 1);
     }
 
-    void addCamera(const SetsJson& pose, CameraPath& path) const {
+    void addCamera(const Json& pose, CameraPath& path) const {
         if (!pose.contains("eye")) return;
         const auto vector = [&](const char* key, const Vec3& fallback) {
             if (!pose.contains(key)) return fallback;
-            const SetsJson& list = pose[key];
+            const Json& list = pose[key];
             if (!list.is_array() || list.size() != 3 ||
-                !std::ranges::all_of(list, [](const SetsJson& one) { return one.is_number(); }))
+                !std::ranges::all_of(list, [](const Json& one) { return one.is_number(); }))
                 throwInput(CULLSCOPE_TR("%1: pose %2: \"%3\" must be three numbers."), {m_file, m_pose, key});
             return Vec3(list[0].get<double>(), list[1].get<double>(), list[2].get<double>());
         };
@@ -184,35 +183,34 @@ DrawnSets::Triangles rangesOf(std::vector<uint32_t> triangles) {
 DrawnSets readDrawnSets(const std::filesystem::path& file, const Scene& scene) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
-    SetsJson root;
+    Json root;
     try {
-        root = SetsJson::parse(in);
-    } catch (const SetsJson::parse_error& failure) {
+        root = Json::parse(in);
+    } catch (const Json::parse_error& failure) {
         throwInput(CULLSCOPE_TR("%1 is not JSON: it breaks off at byte %2. Drawn sets have a list \"poses\"."),
                    {file.string(), std::to_string(failure.byte)});
-    } catch (const SetsJson::exception&) {
+    } catch (const Json::exception&) {
         throwInput(CULLSCOPE_TR("%1 holds a number that is too large."), {file.string()});
     }
     return Reader(file.string(), scene).read(root);
 }
 
 void writeDrawnSets(const std::filesystem::path& file, const WrittenSets& sets) {
-    const auto array = [](const Vec3& v) { return SetsJson::array({v.x, v.y, v.z}); };
-    SetsJson root{{"scene", sets.scene},
-                  {"size", {sets.size.width, sets.size.height}},
-                  {"facing", sets.facing},
-                  {"fovy_deg", sets.path.fovy.degrees()},
-                  {"near", sets.path.nearDistance},
-                  {"far", sets.path.farDistance},
-                  {"poses", SetsJson::array()}};
+    const auto array = [](const Vec3& v) { return Json::array({v.x, v.y, v.z}); };
+    Json root{{"scene", sets.scene},
+              {"size", {sets.size.width, sets.size.height}},
+              {"facing", sets.facing},
+              {"fovy_deg", sets.path.fovy.degrees()},
+              {"near", sets.path.nearDistance},
+              {"far", sets.path.farDistance},
+              {"poses", Json::array()}};
     for (const WrittenPose& written : sets.poses) {
-        SetsJson pose{{"eye", array(written.pose.eye)}, {"target", array(written.pose.target)}, {"up", array(written.pose.up)}};
+        Json pose{{"eye", array(written.pose.eye)}, {"target", array(written.pose.target)}, {"up", array(written.pose.up)}};
         pose["objects"] = written.objects;
         if (!written.triangles.empty() || written.objects.empty()) {
-            SetsJson list = SetsJson::array();
+            Json list = Json::array();
             for (const auto& [first, end] : written.triangles)
-                list.push_back(end == first + 1 ? SetsJson(first)
-                                                : SetsJson(std::to_string(first) + "-" + std::to_string(end - 1)));
+                list.push_back(end == first + 1 ? Json(first) : Json(std::to_string(first) + "-" + std::to_string(end - 1)));
             pose["triangles"] = std::move(list);
         }
         root["poses"].push_back(std::move(pose));

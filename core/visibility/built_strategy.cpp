@@ -23,8 +23,7 @@ BuiltStrategy::BuiltStrategy(const RegisteredStrategy& strategy, ParameterSet pa
       m_referenceFacing(m_strategy->referenceFacing(m_structure->scene(), m_parameters)) {}
 
 void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     frame.setFacing(m_facing);
     // Each time is told once: a frame without a measured time leaves none to the next.
     frame.setFrameBefore(std::exchange(state.frameMilliseconds, std::nullopt));
@@ -32,7 +31,7 @@ void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
         drawEverything(frame);
     else
         m_strategy->draw(frame, *m_structure, state, m_parameters);
-    const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
+    const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - start;
     frame.setCullMilliseconds(passed.count() - frame.drawingMilliseconds() - frame.untimedMilliseconds());
 }
 

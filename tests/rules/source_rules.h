@@ -77,6 +77,10 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// "// core/visibility/strategy.h", that are not that file.
 [[nodiscard]] std::vector<Offence> pageOffences(const std::filesystem::path& root);
 
+/// Aliases within a function that another source of the same library declares for its file. Sources are compiled a dozen at a
+/// time, and a new file moves them: Clang then takes the one for hidden by the other, and stops.
+[[nodiscard]] std::vector<Offence> aliasOffences(const std::filesystem::path& root);
+
 /// Sources of more than 350 lines: they are split by subject.
 [[nodiscard]] std::vector<Offence> longSourceOffences(const std::filesystem::path& root);
 

@@ -1,15 +1,13 @@
 #include "ui/screenshots/screenshot_options.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
 
+#include "core/base/json.h"
 #include "core/scene/camera.h"
 
 namespace cullscope::ui {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::array kBackgrounds{std::pair{"as shown", ScreenshotOptions::Background::AsShown},
                                   std::pair{"white", ScreenshotOptions::Background::White},

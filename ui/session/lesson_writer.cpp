@@ -1,11 +1,11 @@
 // Writes steps of lessons: what differs between the sessions of two steps, as lines.
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/visibility/registry.h"
 #include "ui/session/lesson.h"
 #include "ui/session/session_file.h"
@@ -14,8 +14,6 @@
 namespace cullscope::ui {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A lesson's steps begin from this one.
 LessonStep stepBeforeTheFirst() { return lessonFromText("title en -\nstep\nsay en -\n", {}).steps.front(); }

@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/scene/gallery/gallery.h"
 #include "core/scene/hidden.h"
 #include "ui/session/session_json.h"
@@ -14,8 +15,6 @@
 namespace cullscope::ui {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "cullscope session";
 constexpr int kVersion = 1;

@@ -1,12 +1,11 @@
 #include "ui/session/session_json.h"
 
+#include "core/base/json.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope::ui {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 template <typename Enum>
 using Word = std::pair<const char*, Enum>;

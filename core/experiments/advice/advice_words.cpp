@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "core/base/json.h"
 #include "core/base/terminal_text.h"
 #include "core/experiments/advice/adviser.h"
 #include "core/experiments/result_file.h"
@@ -9,8 +8,6 @@
 
 namespace cullscope::advice {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string decimal(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 std::string percentText(double share) { return decimal(100.0 * share, 0); }

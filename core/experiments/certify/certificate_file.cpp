@@ -3,21 +3,19 @@
 
 #include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/experiments/certify/certify.h"
 #include "core/experiments/result_file.h"
 
 namespace cullscope::certify {
 namespace {
 
-using CertificateFields = nlohmann::ordered_json;
-
 /// Blocks as ranges "0-41", so that a million views take a line.
-CertificateFields rangesOfBlocks(const std::vector<bool>& done) {
-    CertificateFields ranges = CertificateFields::array();
+Json rangesOfBlocks(const std::vector<bool>& done) {
+    Json ranges = Json::array();
     for (size_t i = 0; i < done.size();) {
         if (!done[i]) {
             ++i;
@@ -34,7 +32,7 @@ CertificateFields rangesOfBlocks(const std::vector<bool>& done) {
 }  // namespace
 
 std::string certificateJson(const Certificate& certificate) {
-    CertificateFields examples = CertificateFields::array();
+    Json examples = Json::array();
     for (const Counterexample& one : certificate.counterexamples)
         examples.push_back({{"block", one.block},
                             {"view", one.view},
@@ -44,23 +42,22 @@ std::string certificateJson(const Certificate& certificate) {
                             {"size", {one.size.width, one.size.height}},
                             {"file", one.file},
                             {"file_shows_it", one.fileShowsIt}});
-    const CertificateFields root{
-        {"certificate", 1},
-        {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
-        {"strategy", certificate.strategy},
-        {"seed", certificate.seed},
-        {"blocks", certificate.blocks},
-        {"views_of_a_block", kViewsOfABlock},
-        {"shard", certificate.shard},
-        {"shards", certificate.shards},
-        {"complete", certificate.complete()},
-        {"views", certificate.views},
-        {"promised_views", certificate.promised},
-        {"refused_views", certificate.refused},
-        {"covered_pixels", certificate.coveredPixels},
-        {"lost_views", certificate.counterexamples.size()},
-        {"counterexamples", std::move(examples)},
-        {"blocks_done", rangesOfBlocks(certificate.done)}};
+    const Json root{{"certificate", 1},
+                    {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
+                    {"strategy", certificate.strategy},
+                    {"seed", certificate.seed},
+                    {"blocks", certificate.blocks},
+                    {"views_of_a_block", kViewsOfABlock},
+                    {"shard", certificate.shard},
+                    {"shards", certificate.shards},
+                    {"complete", certificate.complete()},
+                    {"views", certificate.views},
+                    {"promised_views", certificate.promised},
+                    {"refused_views", certificate.refused},
+                    {"covered_pixels", certificate.coveredPixels},
+                    {"lost_views", certificate.counterexamples.size()},
+                    {"counterexamples", std::move(examples)},
+                    {"blocks_done", rangesOfBlocks(certificate.done)}};
     return root.dump(1) + "\n";
 }
 
@@ -73,7 +70,7 @@ Certificate readCertificate(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
     try {
-        const CertificateFields root = CertificateFields::parse(in);
+        const Json root = Json::parse(in);
         Certificate certificate;
         if (root.at("certificate") != 1 || root.at("views_of_a_block") != kViewsOfABlock)
             throwInput(CULLSCOPE_TR("%1 was written by another version: its blocks are not those of this one."), {file.string()});
@@ -91,7 +88,7 @@ Certificate readCertificate(const std::filesystem::path& file) {
             throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
         certificate.done.assign(certificate.blocks, false);
         uint64_t next = 0;
-        for (const CertificateFields& range : root.at("blocks_done")) {
+        for (const Json& range : root.at("blocks_done")) {
             const auto first = range.at(0).get<uint64_t>();
             const auto last = range.at(1).get<uint64_t>();
             // They are written in order; a file in which they overlap would be read for hours.
@@ -100,14 +97,14 @@ Certificate readCertificate(const std::filesystem::path& file) {
             std::fill(certificate.done.begin() + int64_t(first), certificate.done.begin() + int64_t(last) + 1, true);
             next = last + 1;
         }
-        for (const CertificateFields& one : root.at("counterexamples"))
+        for (const Json& one : root.at("counterexamples"))
             certificate.counterexamples.push_back({one.at("block").get<uint64_t>(), one.at("view").get<uint64_t>(),
                                                    one.at("lost_pixels").get<uint64_t>(), one.at("triangles").get<uint64_t>(),
                                                    one.at("objects").get<uint64_t>(),
                                                    Viewport{one.at("size").at(0).get<int>(), one.at("size").at(1).get<int>()},
                                                    one.at("file").get<std::string>(), one.at("file_shows_it").get<bool>()});
         return certificate;
-    } catch (const CertificateFields::exception&) {
+    } catch (const Json::exception&) {
         throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
     }
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/experiments/result_file.h"
 #include "core/experiments/stability/case_findings.h"
 #include "core/experiments/stability/lossless_check.h"
@@ -169,7 +169,6 @@ std::string batteryText(const std::vector<CaseResult>& results, bool everything)
 }
 
 std::string batteryJson(const std::vector<CaseResult>& results, const GlInfo& gl) {
-    using Json = nlohmann::ordered_json;
     Json cases = Json::array();
     for (const CaseResult& result : results) {
         Json findings = Json::array();

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/experiments/result_file.h"
 #include "core/geometry/separation.h"
 
@@ -194,7 +194,6 @@ std::string judgementText(const Judgement& judgement, const JudgeRequest& reques
 }
 
 std::string judgementJson(const Judgement& judgement, const JudgeRequest& request, const GlInfo& gl) {
-    using Json = nlohmann::ordered_json;
     constexpr std::array kKinds{"none", "frustum", "occlusion", "lossy"};
     const auto figures = [](const Accuracy& one) {
         return Json{{"covered_pixels", one.coveredPixels},

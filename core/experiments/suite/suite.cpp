@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/base/json.h"
 #include "core/experiments/stability/battery.h"
 #include "core/measure/reference.h"
 #include "core/mesh/save.h"
@@ -45,14 +45,14 @@ WrittenSets required(const ScenePointer& scene, const std::string& file, const C
 }
 
 std::string casesJson() {
-    nlohmann::ordered_json cases = nlohmann::ordered_json::array();
+    Json cases = Json::array();
     for (const stability::StabilityCase& each : stability::battery())
         cases.push_back({{"number", each.number},
                          {"id", each.id},
                          {"title", each.title},
                          {"right_answer", each.expected},
                          {"scene", each.scene}});
-    return nlohmann::ordered_json{{"cases", std::move(cases)}}.dump(2) + "\n";
+    return Json{{"cases", std::move(cases)}}.dump(2) + "\n";
 }
 
 constexpr const char* kReadme = R"(# A suite for programs that leave out what is not seen

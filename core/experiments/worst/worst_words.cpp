@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "core/base/json.h"
 #include "core/base/terminal_text.h"
 #include "core/experiments/result_file.h"
 #include "core/experiments/worst/worst_view.h"
@@ -12,8 +12,6 @@
 
 namespace cullscope::worst {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr size_t kColours = 8;
 constexpr size_t kPosesInFile = 16;
