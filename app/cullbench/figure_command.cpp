@@ -5,6 +5,7 @@
 #include "app/cullbench/language.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/experiments/han_hong_figure_data.h"
 #include "core/experiments/han_hong_figures.h"
 #include "core/experiments/han_hong_rows.h"
 #include "core/gpu/context.h"
@@ -73,6 +74,7 @@ void run(const FigureOptions& options, const Context& context) {
     std::FILE* words = options.output == "-" || options.json == "-" || options.csv == "-" ? stderr : stdout;
     say(words, "{}: {}; {} on {}\n", figure.data.source, han_hong::figureTitle(options.number), gl.info().renderer,
         gl.platform());
+    for (const std::string& sentence : han_hong::figureSentences(figure.data)) say(words, "{}\n", sentence);
 }
 
 }  // namespace
@@ -89,7 +91,8 @@ void addFigureCommand(CLI::App& app, Context& context) {
                      std::string("parameter of ") + han_hong::kShownStrategy + ": key=value")
         ->allow_extra_args(false);
     command->add_option("-o,--output", options->output, "picture: .png, .jpg, .tif or .svg; - is standard output (PNG)");
-    command->add_option("--json", options->json, "rays and hits, region, boxes and S of the figure; - is standard output");
+    command->add_option("--json", options->json,
+                        "rays and hits, region, boxes and S of the figure, of Figure 2 the map's cells; - is standard output");
     command->add_option("--csv", options->csv, "the same as CSV; - is standard output");
     command->add_option("--width", options->width, "width of the picture in pixels; letters and lines grow with it")
         ->check(CLI::Range(480, 8192))

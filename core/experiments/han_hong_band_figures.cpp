@@ -22,8 +22,8 @@ using spherical::ContourBands;
 using spherical::MapPlace;
 using spherical::MapSnapshot;
 
-constexpr double kLeastContour = 0.6;  ///< radii; in Figure 7 shorter ones, as on the tip of an ear, are left out
-constexpr double kBesideBands = 8.0;   ///< between pictures beside each other
+constexpr double kBesideBands = 8.0;  ///< between pictures beside each other
+constexpr double kAboveAxis = 1.2;    ///< radii; how far up a picture with the perpendicular axis reaches
 
 class BandFigures : private FigurePage {
 public:
@@ -47,12 +47,12 @@ private:
 
     /// The one camera of Figures 5 to 8, a parallel one: the axis across the picture with the eye to the right, S upward; far
     /// beyond 90°, where S decides, the surface is turned towards it.
-    [[nodiscard]] View observer(const Viewport& size) const {
-        constexpr double kAway = 4.4, kRise = 0.2, kAbove = 1.2;  // radii; share of the distance; room for an axis, radii
+    [[nodiscard]] View observer(const Viewport& size, double above = kAboveAxis) const {
+        constexpr double kAway = 4.4, kRise = 0.2;  // radii; share of the distance
         const Angle behind = Angle::fromDegrees(22.0);
         const Mat3 world = MapPlace(scene(), *m_map).linear();
         const Vec3 axis = glm::normalize(world * bands().axis);
-        const Vec3 outward = glm::normalize(world * bands().direction(kRightAngle, (m_sector + 0.5) * kTurn / bands().sectors));
+        const Vec3 outward = glm::normalize(world * directionInSector(kRightAngle));
         const Vec3 across = std::cos(behind.radians()) * glm::cross(axis, outward) - std::sin(behind.radians()) * axis;
         Camera camera = m_culling.camera();
         const Sphere sphere = scene().instanceSphere(m_map->decision.instance);
@@ -61,8 +61,12 @@ private:
         camera.up = outward;
         camera.projection = ProjectionKind::Parallel;
         std::vector<Vec3> places = wholeSphere(camera);
-        places.push_back(sphere.centre + kAbove * sphere.radius * outward);
+        places.push_back(sphere.centre + above * sphere.radius * outward);
         return fitted(camera, places, size);
+    }
+    /// In the middle of the sector that Figures 5 to 8 look at, in the mesh's coordinates.
+    [[nodiscard]] Vec3 directionInSector(double alpha) const {
+        return bands().direction(alpha, (m_sector + 0.5) * kTurn / bands().sectors);
     }
 
     /// Adds a sentence, and goes on below it.
@@ -98,6 +102,7 @@ private:
                         {{Shape::Line, stateColour(TriangleState::Hidden), 1.0},
                          say(CULLSCOPE_TR("where a band begins that is hidden, by sector"))},
                         {{Shape::Line, dark, 2.5}, "α = 90°"},
+                        {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("sight ray through the middle of the sphere"))},
                         {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
                         {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
                        size.height);
@@ -117,6 +122,7 @@ private:
                        return overlays;
                    }));
         if (projection) addProjectionLabels(viewing, *projection);
+        addBandNumbers(viewing, sizes);
         addSizeSigns(sizes, size.height);
     }
 
@@ -131,6 +137,20 @@ private:
         addLabel(viewing, projection.start, {0.0, 16.0}, say(CULLSCOPE_TR("to the eye")));
     }
 
+    /// Beyond the sphere, where each band lies; that of the largest S beyond its letter.
+    void addBandNumbers(const View& viewing, const std::vector<spherical::SizePlace>& sizes) {
+        constexpr double kBeyond = 1.05, kBeyondLetter = 1.17;  // radii
+        const auto largest =
+            std::ranges::max_element(sizes, {}, [](const spherical::SizePlace& size) { return size.larger ? 0.0 : size.size; });
+        const MapPlace place(scene(), *m_map);
+        for (const spherical::SizePlace& size : sizes) {
+            const double beyond = size.band == largest->band ? kBeyondLetter : kBeyond;
+            addLabel(viewing,
+                     place.world(beyond * m_map->maps.sphere().radius * directionInSector((size.band + 0.5) * bands().width)),
+                     Vec2(0.0), std::to_string(size.band + 1));
+        }
+    }
+
     void addSizeSigns(const std::vector<spherical::SizePlace>& sizes, double height) {
         const PlotColour green = plotColour(spherical::sizeColour(m_style.background));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
@@ -141,7 +161,7 @@ private:
             {{Shape::Dashed, green, 1.0},
              say(CULLSCOPE_TR(
                  "level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden"))},
-            {{Shape::Line, green, 1.0}, say(CULLSCOPE_TR("edges of the sector and its bands"))},
+            {{Shape::Line, green, 1.0}, say(CULLSCOPE_TR("edges of the sector and its bands, which are numbered from the eye"))},
             {{Shape::Line, plotColour(projectionColour()), 2.0}, say(CULLSCOPE_TR("R of the largest S, from the origin O"))},
             {{Shape::Dashed, plotColour(projectionColour()), 1.5}, say(CULLSCOPE_TR("its projection on the perpendicular axis"))},
             {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
@@ -158,14 +178,12 @@ private:
         addCameraWords();
         addAngleWords();
         const Viewport size = pictureSize();
-        addPicture(size, drawn(m_log, observer(size), {"verdicts"},
-                               [&](const OverlayContext& context) { return contoursOnSurface(context, *m_map, kLeastContour); }));
+        std::vector<uint8_t> picture = drawn(m_log, observer(size), {"verdicts"});
+        shadeBands(observer(size), picture);
+        addPicture(size, std::move(picture));
         m_bottom += size.height;
-        m_bottom =
-            addText(m_page,
-                    m_look.say({CULLSCOPE_TR("On the object contours shorter than %1 of the sphere's radius are left out."),
-                                {Term::name(fmt::format("{:.1f}", kLeastContour))}}),
-                    {kMargin, m_bottom}, inner(), m_look.style, m_look.style.text);
+        addSentence(CULLSCOPE_TR(
+            "On the object the second, fourth, … band from the eye is darker; what is wrongly culled has an outline."));
         const TriangleStates states = statesAgainstTruth(m_log);
         addMap(m_log, "state", &states);
         addSentence(
@@ -185,7 +203,7 @@ private:
         behind.eye = 2.0 * centre - front.eye;
         behind.target = 2.0 * centre - front.target;
         const View eye = fitted(front, wholeSphere(front), size), opposite = fitted(behind, wholeSphere(behind), size);
-        const View side = observer(size);
+        const View side = observer(size, 1.0);
 
         std::vector<uint8_t> seen = drawn(m_log, eye, {"back-sides"});
         const double lost = markLost(m_log, eye, seen);
@@ -225,30 +243,45 @@ private:
         m_bottom = below + 6.0;
     }
 
+    /// Tells each pixel that a frame's triangles cover: its number, its place in the world and its triangle's corners there.
+    template <typename Told>
+    void tellPixels(const FrameLog& log, const View& given, const Told& told) {
+        const View viewing = sharp(given);
+        const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
+        const auto width = size_t(viewing.viewport().width);
+        for (size_t pixel = 0; pixel < shown.triangle.size(); ++pixel) {
+            if (shown.triangle[pixel] == 0) continue;
+            const double x = double(pixel % width) + 0.5, y = double(pixel / width) + 0.5;
+            const Vec3 place = viewing.pointAt(x, y, viewing.distanceFromDepth(shown.depth[pixel]));
+            told(pixel, place, viewing.direction(x, y), cornersInWorld(scene(), shown.triangle[pixel] - 1));
+        }
+    }
+    static void darken(std::vector<uint8_t>& rgba, size_t pixel, double share) {
+        for (size_t c = 0; c < 3; ++c) rgba[4 * pixel + c] = uint8_t(std::lround(share * rgba[4 * pixel + c]));
+    }
+
+    /// The contours on the object without lines across it.
+    void shadeBands(const View& given, std::vector<uint8_t>& rgba) {
+        const MapPlace map(scene(), *m_map);
+        tellPixels(frameOfAll(m_culling), given, [&](size_t pixel, const Vec3& place, const Vec3&, const std::array<Vec3, 3>&) {
+            darken(rgba, pixel, lightnessOfBand(bands(), map.local(place)));
+        });
+    }
+
     /// Makes back sides the darker, the deeper they lie in the hollow, seen from where it opens: evenly lit, a hollow looks like
     /// a body.
     void darkenHollow(const FrameLog& log, const View& given, std::vector<uint8_t>& rgba) {
         constexpr double kDarkest = 0.4;
-        const View viewing = sharp(given);
-        const Renderer::ItemBuffer shown = m_renderer.drawItemBuffer(m_buffers, viewing, log, {0, 0, viewing.viewport()});
         const Vec3 origin = MapPlace(scene(), *m_map).world(Vec3(0.0));
         const Vec3 axis = glm::normalize(MapPlace(scene(), *m_map).linear() * bands().axis);
-        std::vector<double> depths(shown.triangle.size(), 0.0);
-        for (size_t pixel = 0; pixel < depths.size(); ++pixel) {
-            if (shown.triangle[pixel] == 0) continue;
-            const auto width = size_t(viewing.viewport().width);
-            const double x = double(pixel % width) + 0.5, y = double(pixel / width) + 0.5;
-            const Vec3 place = viewing.pointAt(x, y, viewing.distanceFromDepth(shown.depth[pixel]));
-            const std::array<Vec3, 3> corners = cornersInWorld(scene(), shown.triangle[pixel] - 1);
+        std::vector<double> depths(rgba.size() / 4, 0.0);
+        tellPixels(log, given, [&](size_t pixel, const Vec3& place, const Vec3& sight, const std::array<Vec3, 3>& corners) {
             const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-            if (glm::dot(normal, viewing.direction(x, y)) > 0.0) depths[pixel] = std::max(glm::dot(place - origin, axis), 0.0);
-        }
+            if (glm::dot(normal, sight) > 0.0) depths[pixel] = std::max(glm::dot(place - origin, axis), 0.0);
+        });
         const double deepest = std::ranges::max(depths);
-        for (size_t pixel = 0; pixel < depths.size() && deepest > 0.0; ++pixel) {
-            if (depths[pixel] <= 0.0) continue;
-            const double share = glm::mix(1.0, kDarkest, depths[pixel] / deepest);
-            for (size_t c = 0; c < 3; ++c) rgba[4 * pixel + c] = uint8_t(std::lround(share * rgba[4 * pixel + c]));
-        }
+        for (size_t pixel = 0; pixel < depths.size() && deepest > 0.0; ++pixel)
+            if (depths[pixel] > 0.0) darken(rgba, pixel, glm::mix(1.0, kDarkest, depths[pixel] / deepest));
     }
 
     View m_culling;

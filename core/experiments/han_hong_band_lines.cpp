@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numeric>
 
 #include "core/experiments/han_hong_figure_lines.h"
 #include "core/geometry/angle.h"
@@ -16,60 +14,11 @@ namespace {
 using namespace spherical;
 
 // Widths and radii in units (DrawStyle::unit).
-constexpr float kContourWidth = 1.0f, kAxisWidth = 1.5f, kRadiusWidth = 2.0f, kCutWidth = 2.5f;
+constexpr float kAxisWidth = 1.5f, kRadiusWidth = 2.0f, kCutWidth = 2.5f;
 constexpr double kOriginRadius = 3.5;
 // Shares of the bounding sphere's radius.
 constexpr double kAxisTop = 1.1, kAlphaRadius = 0.22, kSquareSide = 0.06, kProjectionDash = 0.035, kAxisArrow = 0.05;
 constexpr uint32_t kProjectionOrange = 0xC44E00;
-
-/// A place on an edge of a mesh, found by the edge's ends: the same from both triangles at it, whatever their indices are.
-using EdgeKey = std::array<float, 6>;
-
-EdgeKey keyOf(const Vec3& a, const Vec3& b) {
-    std::array<Vec3f, 2> ends{Vec3f(a), Vec3f(b)};
-    const auto before = [](const Vec3f& left, const Vec3f& right) {
-        return std::tie(left.x, left.y, left.z) < std::tie(right.x, right.y, right.z);
-    };
-    if (before(ends[1], ends[0])) std::swap(ends[0], ends[1]);
-    return {ends[0].x, ends[0].y, ends[0].z, ends[1].x, ends[1].y, ends[1].z};
-}
-
-/// The pieces of one contour, which are joined where they meet on an edge.
-class Contour {
-public:
-    void add(const std::array<Vec3, 2>& ends, const std::array<EdgeKey, 2>& edges) {
-        const uint32_t a = rootOf(numberOf(edges[0])), b = rootOf(numberOf(edges[1]));
-        m_pieces.push_back({ends, a});
-        m_parent[b] = a;
-    }
-    /// Those of lines of at least that length.
-    template <typename Told>
-    void tell(double leastLength, const Told& told) {
-        std::map<uint32_t, double> lengths;
-        for (const Piece& piece : m_pieces) lengths[rootOf(piece.line)] += glm::length(piece.ends[1] - piece.ends[0]);
-        for (const Piece& piece : m_pieces)
-            if (lengths[rootOf(piece.line)] >= leastLength) told(piece.ends);
-    }
-
-private:
-    struct Piece {
-        std::array<Vec3, 2> ends;
-        uint32_t line = 0;
-    };
-    uint32_t numberOf(const EdgeKey& edge) {
-        const auto [place, isNew] = m_numbers.try_emplace(edge, uint32_t(m_parent.size()));
-        if (isNew) m_parent.push_back(place->second);
-        return place->second;
-    }
-    uint32_t rootOf(uint32_t number) {
-        while (m_parent[number] != number) number = m_parent[number] = m_parent[m_parent[number]];
-        return number;
-    }
-
-    std::map<EdgeKey, uint32_t> m_numbers;
-    std::vector<uint32_t> m_parent;
-    std::vector<Piece> m_pieces;
-};
 
 void addProjectionDashes(std::vector<LineSegment>& lines, const Vec3& from, const Vec3& to, double dash, const Vec3f& colour) {
     const int dashes = std::max(1, int(glm::length(to - from) / (2.0 * dash)));
@@ -98,40 +47,9 @@ std::array<Vec3, 3> cornersInWorld(const Scene& scene, uint64_t triangle) {
     return corners;
 }
 
-std::vector<OverlayLines> contoursOnSurface(const OverlayContext& context, const MapSnapshot& map, double leastLength) {
-    const ContourBands& bands = *map.decision.bands;
-    const MapPlace place(context.scene, map);
-    std::vector<Contour> contours(bands.bands + 1);
-    for (uint32_t triangle = 0; triangle < map.maps.mesh().triangleCount(); ++triangle) {
-        const std::array<Vec3, 3> corners = map.maps->corners(triangle);
-        std::array<double, 3> alpha{};
-        for (size_t i = 0; i < 3; ++i) alpha[i] = bands.anglesOf(corners[i]).x;
-        const auto [least, most] = std::ranges::minmax(alpha);
-        for (auto band = uint32_t(std::ceil(least / bands.width)); band * bands.width < most; ++band) {
-            const double level = band * bands.width;
-            std::array<Vec3, 2> ends;
-            std::array<EdgeKey, 2> edges;
-            size_t found = 0;
-            for (size_t i = 0; i < 3 && found < 2; ++i) {
-                const size_t next = (i + 1) % 3;
-                if ((alpha[i] < level) == (alpha[next] < level)) continue;
-                const double share = (level - alpha[i]) / (alpha[next] - alpha[i]);
-                edges[found] = keyOf(corners[i], corners[next]);
-                ends[found++] = glm::mix(corners[i], corners[next], share);
-            }
-            if (found == 2) contours[band].add(ends, edges);
-        }
-    }
-    OverlayLines thin{{}, {kContourWidth, true}, true}, middle{{}, {kCutWidth, true}, true};
-    for (uint32_t band = 0; band < contours.size(); ++band) {
-        const bool right = std::abs(band * bands.width - kRightAngle) < 1e-9;
-        contours[band].tell(leastLength * map.maps.sphere().radius, [&](const std::array<Vec3, 2>& ends) {
-            (right ? middle : thin)
-                .lines.push_back(
-                    {raised(context, place.world(ends[0])), raised(context, place.world(ends[1])), context.contrast});
-        });
-    }
-    return {std::move(thin), std::move(middle)};
+double lightnessOfBand(const ContourBands& bands, const Vec3& place) {
+    constexpr double kDarker = 0.74;
+    return bands.bandOf(bands.anglesOf(place).x) % 2 == 1 ? kDarker : 1.0;
 }
 
 OverlayLines rimOf(const OverlayContext& context, const FrameLog& log) {

@@ -13,10 +13,8 @@ namespace cullscope::han_hong {
 /// The corners of a scene's triangle in world coordinates.
 [[nodiscard]] std::array<Vec3, 3> cornersInWorld(const Scene& scene, uint64_t triangle);
 
-/// Where the bands of an object meet its surface: the lines of equal α on its triangles, wider at 90°. Lines shorter than
-/// `leastLength` (radii of the bounding sphere) from end to end or around are left out. The map must have bands.
-[[nodiscard]] std::vector<OverlayLines> contoursOnSurface(const OverlayContext& context, const spherical::MapSnapshot& map,
-                                                          double leastLength = 0.0);
+/// How light an object is shown at a place (relative to the map's centre): every other band is darker, the second, fourth, …
+[[nodiscard]] double lightnessOfBand(const spherical::ContourBands& bands, const Vec3& place);
 
 /// The rim of what a frame draws: the edges of which only one triangle is drawn.
 [[nodiscard]] OverlayLines rimOf(const OverlayContext& context, const FrameLog& log);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "core/experiments/han_hong_rows.h"
 #include "core/geometry/angle.h"
 #include "core/visibility/spherical/contour_bands.h"
@@ -89,6 +91,36 @@ private:
     const Row& m_common;
 };
 
+/// What the rows of one view and object say together.
+struct RowSummary {
+    std::optional<double> caseNumber;
+    size_t rays = 0, hits = 0, bands = 0, drawnBands = 0, cells = 0;
+    std::vector<std::string> boxes;
+
+    void add(const ResultTable& table, size_t row) {
+        const auto text = [&](const char* key) { return std::get<std::string>(table.value(row, key)); };
+        const auto number = [&](const char* key) { return std::get<double>(table.value(row, key)); };
+        const std::string kind = text("kind");
+        if (const CellValue found = table.value(row, "case"); std::holds_alternative<double>(found))
+            caseNumber = std::get<double>(found);
+        if (kind == "ray") ++rays, hits += text("state") == "hit" ? 1 : 0;
+        if (kind == "band") ++bands, drawnBands += text("state").starts_with("drawn") ? 1 : 0;
+        if (kind == "cell") ++cells;
+        if (kind == "box")
+            boxes.push_back(fmt::format("θ {:g}° to {:g}°, φ {:g}° to {:g}°", number("theta"), number("theta_to"), number("phi"),
+                                        number("phi_to")));
+    }
+    [[nodiscard]] std::vector<std::string> parts() const {
+        std::vector<std::string> parts;
+        if (caseNumber) parts.push_back(fmt::format("case {:g}", *caseNumber));
+        if (rays > 0) parts.push_back(fmt::format("{} of {} corner rays hit", hits, rays));
+        if (!boxes.empty()) parts.push_back(fmt::format("boxes {}", fmt::join(boxes, " and ")));
+        if (bands > 0) parts.push_back(fmt::format("{} of {} sectors of bands drawn", drawnBands, bands));
+        if (cells > 0) parts.push_back(fmt::format("{} cells hold triangles", cells));
+        return parts;
+    }
+};
+
 }  // namespace
 
 ResultTable figureTable(int number, const BuiltStrategy& strategy) {
@@ -116,8 +148,41 @@ ResultTable figureTable(int number, const BuiltStrategy& strategy) {
                      {"alpha_to", "α to, °", Origin::Axis, 2},
                      {"s", "S", Origin::Measured, 5},
                      {"largest_before", "largest S before it", Origin::Measured, 5},
-                     {"foot", "foot on the axis", Origin::Measured, 5}};
+                     {"foot", "foot on the axis", Origin::Measured, 5},
+                     {"entries", "triangles in the cell", Origin::Measured},
+                     {"nearest_r", "nearest R", Origin::Measured, 5}};
     return table;
+}
+
+void addCellRows(ResultTable& table, const SphericalMaps& maps) {
+    const SphericalGrid& grid = maps.grid();
+    for (uint32_t number = 0; number < grid.cellCount(); ++number) {
+        const SphericalMaps::Extent extent = maps.extent(number);
+        if (extent.empty()) continue;
+        const SphericalGrid::Cell cell = grid.cell(number);
+        table.addRow({{"view", 1.0},
+                      {"object", 0.0},
+                      {"kind", std::string("cell")},
+                      {"number", double(number)},
+                      {"theta", degrees(grid.thetaOf(cell.row))},
+                      {"theta_to", degrees(grid.thetaOf(cell.row + 1))},
+                      {"phi", degrees(grid.phiOf(cell.column))},
+                      {"phi_to", degrees(grid.phiOf(cell.column + 1))},
+                      {"entries", double(maps.triangles(number).size())},
+                      {"nearest_r", double(extent.nearest)},
+                      {"r", double(extent.farthest)}});
+    }
+}
+
+std::vector<std::string> figureSentences(const ResultTable& table) {
+    std::map<std::pair<double, double>, RowSummary> summaries;
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        summaries[{std::get<double>(table.value(row, "view")), std::get<double>(table.value(row, "object"))}].add(table, row);
+    std::vector<std::string> sentences;
+    for (const auto& [place, summary] : summaries)
+        sentences.push_back(
+            fmt::format("view {:g}, object {:g}: {}", place.first, place.second, fmt::join(summary.parts(), "; ")));
+    return sentences;
 }
 
 void addFigureRows(ResultTable& table, size_t view, const BuiltStrategy& strategy, const FrameLog& log) {

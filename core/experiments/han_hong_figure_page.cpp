@@ -85,11 +85,15 @@ PageLegendEntry FigurePage::stateEntry(TriangleState state) const {
 View FigurePage::sharp(const View& viewing) const { return {viewing.camera(), m_page.pixelsOf(viewing.viewport())}; }
 
 FrameLog FigurePage::frameOf(const View& culling, size_t view) {
-    GpuFrame frame(m_renderer, m_buffers, culling, true);
-    m_strategy->draw(frame, *m_strategy->begin());
-    FrameLog log = frame.take();
+    FrameLog log = decidedOn(culling);
     addFigureRows(m_data, view, *m_strategy, log);
     return log;
+}
+
+FrameLog FigurePage::decidedOn(const View& culling) {
+    GpuFrame frame(m_renderer, m_buffers, culling, true);
+    m_strategy->draw(frame, *m_strategy->begin());
+    return frame.take();
 }
 
 FrameLog FigurePage::frameOfAll(const View& culling) {

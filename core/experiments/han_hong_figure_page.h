@@ -34,6 +34,8 @@ protected:
     [[nodiscard]] View sharp(const View& viewing) const;
     /// A frame of the strategy, whose rays, regions and bands go into the figure's data. `view`: its number there.
     [[nodiscard]] FrameLog frameOf(const View& culling, size_t view);
+    /// A frame of the strategy of which the data say nothing.
+    [[nodiscard]] FrameLog decidedOn(const View& culling);
     /// A frame in which all triangles are drawn.
     [[nodiscard]] FrameLog frameOfAll(const View& culling);
     /// A view of the path of a case, 320 × 240 as in section 3.

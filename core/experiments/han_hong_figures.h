@@ -40,7 +40,7 @@ struct FigureRequest {
 
 struct Figure {
     Page page;
-    ResultTable data;  ///< rays with their hits, the region's outline, its boxes, and S of all bands and sectors
+    ResultTable data;  ///< rays with their hits, the region's outline, its boxes, S of all bands and sectors; Figure 2: P, cells
 };
 
 /// Draws a figure. A current OpenGL context is needed. Throws Error(Usage) where the frame has nothing that the figure shows,

@@ -84,7 +84,8 @@ Experiment tableLayouts() {
         note(CULLSCOPE_TR("The paper gives about 10, 4.3, 6.7 and 0.51 MB, and formulas that give other sizes; 3.46 MB stands "
                           "in its table without a word. Each row is a layout that fits its text, with its size here.")),
         note(CULLSCOPE_TR("The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with "
-                          "each entry; here R is kept by cell, as its nearest and its farthest value."))};
+                          "each entry; here R is kept by cell, as its nearest and its farthest value, unless storage=entries of "
+                          "spherical is chosen, which table-1 builds and spherical-readings times."))};
     Axis axis{"layout", CULLSCOPE_TR("layout"), Axis::Kind::InTurns, {}};
     for (const Layout& layout : layouts()) axis.values.emplace_back(std::string(layout.words));
     experiment.axes = {axis};

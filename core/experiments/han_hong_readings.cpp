@@ -8,6 +8,7 @@
 #include "core/experiments/han_hong_random_views.h"
 #include "core/experiments/han_hong_rows.h"
 #include "core/visibility/spherical/map_coordinates.h"
+#include "core/visibility/spherical/mapped_scene.h"
 #include "core/visibility/spherical/readings.h"
 #include "core/visibility/strategy_request.h"
 
@@ -73,6 +74,7 @@ std::vector<std::string> readings() {
     std::vector<std::string> result{"spherical"};
     std::vector<ParameterDeclaration> parameters = spherical::readingParameters();
     std::ranges::move(spherical::coordinateParameters(), std::back_inserter(parameters));
+    parameters.push_back(spherical::storageParameter());
     for (const ParameterDeclaration& parameter : parameters)
         for (const ParameterDeclaration::Choice& choice : parameter.choices)
             if (choice.id != std::get<std::string>(parameter.defaultValue))
@@ -116,6 +118,10 @@ Experiment sphericalReadings() {
         addTimed(experiment, setting);
     }
     experiment.columns = timedColumns(experiment.axes, {});
+    const std::vector<ResultColumn> costs{{"cull_ms", CULLSCOPE_TR("culling, ms"), Origin::Measured, 2},
+                                          {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1},
+                                          {"structure_bytes", CULLSCOPE_TR("bytes"), Origin::Measured}};
+    experiment.columns.insert(experiment.columns.end(), costs.begin(), costs.end());
     experiment.rowsOfRuns = sphericalRows;
     return withOtherScenes(std::move(experiment));
 }

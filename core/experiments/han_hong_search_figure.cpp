@@ -51,6 +51,9 @@ public:
 
         const View nearby = fitted(camera, aroundHits(map), {int(kNearWidth * inner()), int(kNearHeight * inner())});
         addSearch(log, map, nearby, kMargin);
+        addPlate({m_page.pictures.back().corner.x + 4.0,
+                  m_page.pictures.back().corner.y + nearby.viewport().height - m_look.style.height / 2},
+                 say(CULLSCOPE_TR("the same, enlarged")));
         addComparison(map, kMargin + nearby.viewport().width + kBesideSearch, nearby.viewport().height);
         addSigns(map, nearby.viewport().height);
         return finish();
@@ -105,7 +108,7 @@ private:
                              return overlays;
                          }),
                    left);
-        // The corners by their numbers, away from the patch between them.
+        // The corners by their numbers, beside the patch between them: the corner of the region's box may lie above or below one.
         const MapPlace place(scene(), map);
         Vec3 middle(0.0);
         for (const CornerRay& ray : map.decision.rays) middle += 0.25 * ray.point;
@@ -114,8 +117,7 @@ private:
             const Vec3 corner = place.world(map.decision.rays[i].point);
             const std::optional<PlotPoint> at = placeIn(viewing, corner);
             if (!at || !centre || !map.decision.rays[i].followed) continue;
-            const Vec2 away(at->x - centre->x, at->y - centre->y);
-            addLabel(viewing, corner, kNumberAside / std::max(glm::length(away), 1e-9) * away, std::to_string(i + 1));
+            addLabel(viewing, corner, {at->x > centre->x ? kNumberAside : -kNumberAside, 0.0}, std::to_string(i + 1));
         }
     }
 
@@ -142,7 +144,7 @@ private:
         PlotBars cells{say(CULLSCOPE_TR("R of the triangles of a cell")), kCellBlue, {}};
         PlotBars hit{say(CULLSCOPE_TR("of the cell in which the triangle hit was found")), kHitCell, {}};
         for (const WalkedCell& walked : shown) {
-            const SphericalMaps::Extent& extent = map.maps->extent(map.maps->grid().number(walked.cell));
+            const SphericalMaps::Extent extent = map.maps->extent(map.maps->grid().number(walked.cell));
             if (extent.empty()) continue;
             (walked.hit ? hit : cells)
                 .boxes.push_back(

@@ -191,16 +191,18 @@ std::string tablesJson(const std::vector<ResultTable>& tables) {
 
 std::string rowsCsv(const ResultTable& table) {
     std::string csv;
+    std::vector<bool> withIntervals(table.columns.size());
     for (size_t i = 0; i < table.columns.size(); ++i) {
         const std::string& key = table.columns[i].key;
         csv += (i > 0 ? "," : "") + key;
-        if (hasIntervals(table, i)) csv += "," + key + "_low," + key + "_high";
+        withIntervals[i] = hasIntervals(table, i);
+        if (withIntervals[i]) csv += "," + key + "_low," + key + "_high";
     }
     csv += '\n';
     for (const std::vector<CellValue>& row : table.rows) {
         for (size_t i = 0; i < row.size(); ++i) {
             csv += (i > 0 ? "," : "") + csvText(row[i]);
-            if (!hasIntervals(table, i)) continue;
+            if (!withIntervals[i]) continue;
             const auto* estimate = std::get_if<RatioEstimate>(&row[i]);
             const bool known = estimate != nullptr && estimate->hasInterval;
             csv += known ? fmt::format(",{},{}", estimate->ci95[0], estimate->ci95[1]) : std::string(",,");

@@ -155,18 +155,16 @@ std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& 
         // one.
         if (nearest && nearest->t <= step.span.from) break;
         const uint32_t cell = maps.grid().number(step.cell);
-        const SphericalMaps::Extent& extent = maps.extent(cell);
         const double closest = std::clamp(foot, step.span.from, step.span.to);
         step.nearest = glm::length(ray.at(closest));
         step.farthest = std::max(glm::length(ray.at(step.span.from)), glm::length(ray.at(step.span.to)));
-        if (!extent.empty() && step.nearest <= extent.farthest && step.farthest >= extent.nearest) {
-            step.tested = uint32_t(maps.triangles(cell).size());
-            for (const uint32_t triangle : maps.triangles(cell)) {
-                const std::optional<double> t = hit(ray, maps.corners(triangle));
-                if (!t || (nearest && *t >= nearest->t)) continue;
-                nearest = TriangleHit{triangle, *t};
-                step.hit = true;
-            }
+        const std::span<const uint32_t> triangles = maps.trianglesBetween(cell, step.nearest, step.farthest);
+        step.tested = uint32_t(triangles.size());
+        for (const uint32_t triangle : triangles) {
+            const std::optional<double> t = hit(ray, maps.corners(triangle));
+            if (!t || (nearest && *t >= nearest->t)) continue;
+            nearest = TriangleHit{triangle, *t};
+            step.hit = true;
         }
         if (told) told(step);
     }

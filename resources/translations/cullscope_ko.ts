@@ -2404,10 +2404,6 @@
         <translation>모서리: 빗나감, 최근접점</translation>
     </message>
     <message>
-        <source>walked cells</source>
-        <translation>지나간 셀</translation>
-    </message>
-    <message>
         <source>contours of α every %1</source>
         <translation>α의 등고선, %1 간격</translation>
     </message>
@@ -5300,10 +5296,6 @@
         <translation>아무것도 그리지 않음</translation>
     </message>
     <message>
-        <source>All of it is drawn</source>
-        <translation>전부 그림</translation>
-    </message>
-    <message>
         <source>Inside the frustum?</source>
         <translation>절두체 안에 있는가?</translation>
     </message>
@@ -5322,10 +5314,6 @@
     <message>
         <source>Boxes around it, ranges of the memory access map</source>
         <translation>경계 상자, 메모리 접근 맵의 구간</translation>
-    </message>
-    <message>
-        <source>Contour bands from the nearest point, S by sector</source>
-        <translation>가장 가까운 점부터의 등고선 띠, 부채꼴별 S</translation>
     </message>
     <message>
         <source>Near half, and what no larger S hides</source>
@@ -5738,10 +5726,6 @@
     <message>
         <source>The paper gives about 10, 4.3, 6.7 and 0.51 MB, and formulas that give other sizes; 3.46 MB stands in its table without a word. Each row is a layout that fits its text, with its size here.</source>
         <translation>논문은 약 10, 4.3, 6.7, 0.51 MB라고 하며, 그 식들은 다른 크기를 냅니다. 3.46 MB는 설명 없이 표에 있습니다. 행마다 본문에 맞는 배치와 여기서의 크기가 있습니다.</translation>
-    </message>
-    <message>
-        <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value.</source>
-        <translation>색인 맵의 항목 수는 360 × 180에서 삼각형이 셀에 닿는 수입니다. 논문은 항목마다 R을 저장합니다. 여기서는 셀마다 가장 가까운 R과 가장 먼 R을 둡니다.</translation>
     </message>
     <message>
         <source>layout</source>
@@ -6234,10 +6218,6 @@
     <message>
         <source>S of the bands of %1 in one sector</source>
         <translation>한 부채꼴에서 폭 %1인 띠의 S</translation>
-    </message>
-    <message>
-        <source>edges of the sector and its bands</source>
-        <translation>부채꼴과 그 띠의 경계</translation>
     </message>
     <message>
         <source>hidden for good by a nearer band, though its S is larger</source>
@@ -7568,10 +7548,6 @@
         <translation>φ, x축에서 수선의 발까지의 방위각</translation>
     </message>
     <message>
-        <source>The map shows the outermost surface in each direction from O.</source>
-        <translation>지도에는 O에서 본 각 방향의 가장 바깥 표면이 보임.</translation>
-    </message>
-    <message>
         <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
         <translation>경로의 끝: 칸 (θ, φ) = (%1, %2)에서 (%3, %4)까지</translation>
     </message>
@@ -7644,10 +7620,6 @@
         <translation>그리는 띠의 S, 그 삼각형의 자리에</translation>
     </message>
     <message>
-        <source>On the object contours shorter than %1 of the sphere&apos;s radius are left out.</source>
-        <translation>물체 위에서 구 반지름의 %1배보다 짧은 등고선은 생략됨.</translation>
-    </message>
-    <message>
         <source>Drawn in vain: drawn, but in no pixel of the picture from the eye. White cells: no triangle has its centroid there.</source>
         <translation>헛되이 그려짐: 그려지지만 눈에서 본 그림의 어느 픽셀에도 나타나지 않습니다. 흰 셀: 무게중심이 그곳에 있는 삼각형이 없습니다.</translation>
     </message>
@@ -7674,6 +7646,74 @@
     <message>
         <source>such random views, of 20,000</source>
         <translation>그런 무작위 시점, 20,000개 중</translation>
+    </message>
+    <message>
+        <source>sight ray through the middle of the sphere</source>
+        <translation>구의 중심을 지나는 시선</translation>
+    </message>
+    <message>
+        <source>edges of the sector and its bands, which are numbered from the eye</source>
+        <translation>부채꼴과 그 띠의 경계. 띠의 번호는 눈에서부터 셉니다</translation>
+    </message>
+    <message>
+        <source>On the object the second, fourth, … band from the eye is darker; what is wrongly culled has an outline.</source>
+        <translation>물체에서 눈으로부터 두 번째, 네 번째, … 띠는 더 어둡습니다. 잘못 제거된 부분에는 윤곽선이 있습니다.</translation>
+    </message>
+    <message>
+        <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value, unless storage=entries of spherical is chosen, which table-1 builds and spherical-readings times.</source>
+        <translation>색인 맵의 항목 수는 360 × 180에서 삼각형이 셀에 닿는 수입니다. 논문은 항목마다 R을 저장합니다. 여기서는 셀마다 가장 가까운 R과 가장 먼 R을 둡니다. spherical의 storage=entries를 고르면 항목마다 R을 두며, table-1이 이를 만들고 spherical-readings가 시간을 잽니다.</translation>
+    </message>
+    <message>
+        <source>The map shows the outermost surface in each direction from O, lit as a relief: slopes are darker than the scale.</source>
+        <translation>맵은 O에서 본 각 방향의 가장 바깥 표면을 보여 줍니다. 부조처럼 빛을 받아 비탈은 눈금보다 어둡습니다.</translation>
+    </message>
+    <message>
+        <source>the same, enlarged</source>
+        <translation>같은 것을 확대</translation>
+    </message>
+    <message>
+        <source>Here a cell has its nearest and farthest R. With storage=entries of spherical, R stands with each entry of the index map, and the centroid map has R, θ, φ, as in the paper&apos;s formulas.</source>
+        <translation>여기서 셀은 가장 가까운 R과 가장 먼 R을 가집니다. spherical의 storage=entries에서는 논문의 식처럼 색인 맵의 항목마다 R이 있고 무게중심 맵에 R, θ, φ가 있습니다.</translation>
+    </message>
+    <message>
+        <source>storage=entries: MB</source>
+        <translation>storage=entries: MB</translation>
+    </message>
+    <message>
+        <source>its build, ms</source>
+        <translation>그 구축, ms</translation>
+    </message>
+    <message>
+        <source>All of it goes to the pipeline</source>
+        <translation>전부 파이프라인으로 보냄</translation>
+    </message>
+    <message>
+        <source>Contour bands over the centroid map, S by sector</source>
+        <translation>무게중심 맵 위의 등고선 띠, 부채꼴별 S</translation>
+    </message>
+    <message>
+        <source>cells along a corner ray</source>
+        <translation>모서리 광선이 지나는 셀</translation>
+    </message>
+    <message>
+        <source>What the maps keep of R.</source>
+        <translation>맵이 R에 관해 저장하는 것.</translation>
+    </message>
+    <message>
+        <source>of each cell its nearest and farthest surface</source>
+        <translation>셀마다 가장 가까운 표면과 가장 먼 표면</translation>
+    </message>
+    <message>
+        <source>with each entry of the index map its centroid&apos;s (Table 1)</source>
+        <translation>색인 맵의 항목마다 무게중심의 R(표 1)</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that one is hit.</source>
+        <translation>이 셀에서 %1번 광선은 R = %2~%3에 있습니다. R이 그에 가까운 삼각형 %4개 중 하나에 맞습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that none is hit.</source>
+        <translation>이 셀에서 %1번 광선은 R = %2~%3에 있습니다. R이 그에 가까운 삼각형 %4개 중 아무것에도 맞지 않습니다.</translation>
     </message>
 </context>
 <context>

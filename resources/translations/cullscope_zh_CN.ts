@@ -2404,10 +2404,6 @@
         <translation>角：未命中，最近点</translation>
     </message>
     <message>
-        <source>walked cells</source>
-        <translation>经过的单元</translation>
-    </message>
-    <message>
         <source>contours of α every %1</source>
         <translation>α 的等高线，每 %1</translation>
     </message>
@@ -5300,10 +5296,6 @@
         <translation>什么都不绘制</translation>
     </message>
     <message>
-        <source>All of it is drawn</source>
-        <translation>全部绘制</translation>
-    </message>
-    <message>
         <source>Inside the frustum?</source>
         <translation>在视锥体内？</translation>
     </message>
@@ -5322,10 +5314,6 @@
     <message>
         <source>Boxes around it, ranges of the memory access map</source>
         <translation>其包围盒，内存访问图的区间</translation>
-    </message>
-    <message>
-        <source>Contour bands from the nearest point, S by sector</source>
-        <translation>从最近点起的等高环带，各扇区的 S</translation>
     </message>
     <message>
         <source>Near half, and what no larger S hides</source>
@@ -5446,10 +5434,6 @@
     <message>
         <source>The paper gives about 10, 4.3, 6.7 and 0.51 MB, and formulas that give other sizes; 3.46 MB stands in its table without a word. Each row is a layout that fits its text, with its size here.</source>
         <translation>论文给出约 10、4.3、6.7 和 0.51 MB，而其公式给出别的大小；3.46 MB 在表中没有说明。每一行是一种符合其正文的布局及其在此处的大小。</translation>
-    </message>
-    <message>
-        <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value.</source>
-        <translation>索引图的条目数是 360 × 180 时三角形触及单元格的次数。论文为每个条目存储 R；此处按单元格保存其最近和最远的 R。</translation>
     </message>
     <message>
         <source>layout</source>
@@ -6234,10 +6218,6 @@
     <message>
         <source>S of the bands of %1 in one sector</source>
         <translation>一个扇区中宽 %1 的环带的 S</translation>
-    </message>
-    <message>
-        <source>edges of the sector and its bands</source>
-        <translation>扇区及其环带的边界</translation>
     </message>
     <message>
         <source>hidden for good by a nearer band, though its S is larger</source>
@@ -7568,10 +7548,6 @@
         <translation>φ，从 x 轴到 P 的垂足的方位角</translation>
     </message>
     <message>
-        <source>The map shows the outermost surface in each direction from O.</source>
-        <translation>图中显示从 O 看各方向上最外层的表面。</translation>
-    </message>
-    <message>
         <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
         <translation>路程的末段：从单元 (θ, φ) = (%1, %2) 到 (%3, %4)</translation>
     </message>
@@ -7644,10 +7620,6 @@
         <translation>被绘制的环带的 S，位于其三角形处</translation>
     </message>
     <message>
-        <source>On the object contours shorter than %1 of the sphere&apos;s radius are left out.</source>
-        <translation>物体上短于球半径 %1 倍的等高线已略去。</translation>
-    </message>
-    <message>
         <source>Drawn in vain: drawn, but in no pixel of the picture from the eye. White cells: no triangle has its centroid there.</source>
         <translation>徒劳绘制：已绘制，但在视点图像中没有占据任何像素。白色单元：没有三角形的质心落在其中。</translation>
     </message>
@@ -7674,6 +7646,74 @@
     <message>
         <source>such random views, of 20,000</source>
         <translation>这样的随机视图，共 20,000 个</translation>
+    </message>
+    <message>
+        <source>sight ray through the middle of the sphere</source>
+        <translation>穿过球心的视线</translation>
+    </message>
+    <message>
+        <source>edges of the sector and its bands, which are numbered from the eye</source>
+        <translation>扇区及其环带的边界，环带从视点起编号</translation>
+    </message>
+    <message>
+        <source>On the object the second, fourth, … band from the eye is darker; what is wrongly culled has an outline.</source>
+        <translation>物体上从视点起的第二、第四……条环带较暗；被错误剔除的部分带有轮廓线。</translation>
+    </message>
+    <message>
+        <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value, unless storage=entries of spherical is chosen, which table-1 builds and spherical-readings times.</source>
+        <translation>索引图的条目数是 360 × 180 时三角形触及单元格的次数。论文为每个条目存储 R；此处按单元格保存其最近和最远的 R，除非选用 spherical 的 storage=entries：table-1 构建它，spherical-readings 为其计时。</translation>
+    </message>
+    <message>
+        <source>The map shows the outermost surface in each direction from O, lit as a relief: slopes are darker than the scale.</source>
+        <translation>该图显示从 O 出发各方向上最外层的表面，按浮雕方式受光：斜面比色标更暗。</translation>
+    </message>
+    <message>
+        <source>the same, enlarged</source>
+        <translation>同一部分，放大</translation>
+    </message>
+    <message>
+        <source>Here a cell has its nearest and farthest R. With storage=entries of spherical, R stands with each entry of the index map, and the centroid map has R, θ, φ, as in the paper&apos;s formulas.</source>
+        <translation>此处每个单元格保存最近和最远的 R。使用 spherical 的 storage=entries 时，如论文公式所示，索引图的每个条目带有 R，重心图带有 R、θ、φ。</translation>
+    </message>
+    <message>
+        <source>storage=entries: MB</source>
+        <translation>storage=entries：MB</translation>
+    </message>
+    <message>
+        <source>its build, ms</source>
+        <translation>其构建，毫秒</translation>
+    </message>
+    <message>
+        <source>All of it goes to the pipeline</source>
+        <translation>全部送入管线</translation>
+    </message>
+    <message>
+        <source>Contour bands over the centroid map, S by sector</source>
+        <translation>重心图上的等高环带，各扇区的 S</translation>
+    </message>
+    <message>
+        <source>cells along a corner ray</source>
+        <translation>角光线经过的单元格</translation>
+    </message>
+    <message>
+        <source>What the maps keep of R.</source>
+        <translation>图中保存的 R。</translation>
+    </message>
+    <message>
+        <source>of each cell its nearest and farthest surface</source>
+        <translation>每个单元格的最近和最远表面</translation>
+    </message>
+    <message>
+        <source>with each entry of the index map its centroid&apos;s (Table 1)</source>
+        <translation>索引图每个条目的重心的 R（表 1）</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that one is hit.</source>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：R 与之接近的 %4 个三角形中命中一个。</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that none is hit.</source>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：R 与之接近的 %4 个三角形一个也没有命中。</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,14 @@ TEST_F(CullbenchContract, figureAsSvgSpeaksTheDesktopsLanguages) {
     }
 }
 
+TEST_F(CullbenchContract, figureFourSaysTheCasesOnStandardOutput) {
+    const ProcessResult result = cullbench({"figure", "4", kBody, "-o", file("f.svg")});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    for (const char* words :
+         {"view 1, object 0: case 1; 4 of 4 corner rays hit; boxes θ", "view 2, object 0: case 2;", "view 3, object 0: case 3;"})
+        EXPECT_THAT(result.out, HasSubstr(words));
+}
+
 TEST_F(CullbenchContract, figureRefusesWhatIsNone) {
     expectRefusal(cullbench({"figure", "9", kBody, "-o", file("f.png")}), 2, "9");
     expectRefusal(cullbench({"figure", "1", kBody}), 2, "-o");

@@ -34,7 +34,7 @@ FlowChart flowChart() {
          2.0,
          {line(BandsLine::Objects), line(BandsLine::Sphere)}},
         {Kind::Action, CULLSCOPE_TR("Nothing is drawn"), 0.0, 2.0, {line(BandsLine::Outside)}},
-        {Kind::Action, CULLSCOPE_TR("All of it is drawn"), 2.0, 2.0, {line(BandsLine::Whole)}},
+        {Kind::Action, CULLSCOPE_TR("All of it goes to the pipeline"), 2.0, 2.0, {line(BandsLine::Whole)}},
         {Kind::Question, CULLSCOPE_TR("Inside the frustum?"), 1.0, 3.0},
         {Kind::Action, CULLSCOPE_TR("Four corner rays, from where they enter the sphere"), 1.0, 4.0, {line(BandsLine::Rays)}},
         {Kind::Action,
@@ -45,7 +45,7 @@ FlowChart flowChart() {
         {Kind::Question, CULLSCOPE_TR("Does a ray meet the object?"), 1.0, 6.0},
         {Kind::Action, CULLSCOPE_TR("Visible region on the map: case 1, 2 or 3"), 0.0, 7.0, {line(BandsLine::Region)}},
         {Kind::Action, CULLSCOPE_TR("Boxes around it, ranges of the memory access map"), 0.0, 8.0, {line(BandsLine::Boxes)}},
-        {Kind::Action, CULLSCOPE_TR("Contour bands from the nearest point, S by sector"), 2.0, 7.0, {line(BandsLine::Bands)}},
+        {Kind::Action, CULLSCOPE_TR("Contour bands over the centroid map, S by sector"), 2.0, 7.0, {line(BandsLine::Bands)}},
         {Kind::Action, CULLSCOPE_TR("Near half, and what no larger S hides"), 2.0, 8.0, {line(BandsLine::Draw)}},
         {Kind::Structure, CULLSCOPE_TR("Graphics pipeline"), 1.0, 9.0}};
     using Way = FlowArrow::Way;

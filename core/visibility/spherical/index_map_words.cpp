@@ -75,7 +75,7 @@ std::vector<Words> cellWords(const MapSnapshot& map, const SphericalGrid::Cell& 
     const SphericalMaps& maps = *map.maps;
     const SphericalGrid& grid = maps.grid();
     const uint32_t number = grid.number(cell);
-    const SphericalMaps::Extent& extent = maps.extent(number);
+    const SphericalMaps::Extent extent = maps.extent(number);
     std::vector<Words> lines{{CULLSCOPE_TR("Row %1, column %2"), {Term::plain(cell.row), Term::plain(cell.column)}},
                              {CULLSCOPE_TR("θ %1 to %2, φ %3 to %4"),
                               {Term::angle(grid.thetaOf(cell.row)), Term::angle(grid.thetaOf(cell.row + 1)),
@@ -117,7 +117,7 @@ std::vector<MapLegendEntry> regionLegend() {
             {MapSymbol::Box, {CULLSCOPE_TR("box of the region")}},
             {MapSymbol::Hit, {CULLSCOPE_TR("corner: hit")}},
             {MapSymbol::Miss, {CULLSCOPE_TR("corner: miss, nearest point")}},
-            {MapSymbol::Walked, {CULLSCOPE_TR("walked cells")}}};
+            {MapSymbol::Walked, {CULLSCOPE_TR("cells along a corner ray")}}};
 }
 
 std::vector<MapLegendEntry> bandLegend(double step) {

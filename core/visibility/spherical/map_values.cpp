@@ -31,14 +31,15 @@ CellShares entryShares(const SphericalMaps& maps) {
 CellShares radiusShares(const SphericalMaps& maps) {
     CellShares result{std::vector<float>(maps.grid().cellCount(), -1.0f), maps.sphere().radius, 0.0};
     for (uint32_t cell = 0; cell < result.shares.size(); ++cell) {
-        if (maps.extent(cell).empty()) continue;
-        result.least = std::min(result.least, double(maps.extent(cell).farthest));
-        result.most = std::max(result.most, double(maps.extent(cell).farthest));
+        const SphericalMaps::Extent extent = maps.extent(cell);
+        if (extent.empty()) continue;
+        result.least = std::min(result.least, double(extent.farthest));
+        result.most = std::max(result.most, double(extent.farthest));
     }
     result.least = std::min(result.least, result.most);
     const double span = std::max(result.most - result.least, 1e-9 * maps.sphere().radius);
     for (uint32_t cell = 0; cell < result.shares.size(); ++cell)
-        if (const SphericalMaps::Extent& extent = maps.extent(cell); !extent.empty())
+        if (const SphericalMaps::Extent extent = maps.extent(cell); !extent.empty())
             result.shares[cell] = float((extent.farthest - result.least) / span);
     return result;
 }

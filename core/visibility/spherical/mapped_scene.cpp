@@ -72,7 +72,9 @@ SphericalMapsPointer makeMaps(const MeshPointer& mesh, const ParameterSet& param
         return std::ranges::any_of(parameters.declarations(), [&](const ParameterDeclaration& each) { return each.key == key; });
     };
     const MapFrame frame = has("axis") ? mapFrame(*mesh, coordinatesOf(parameters)) : MapFrame{mesh->localSphere()};
-    return std::make_shared<SphericalMaps>(mesh, gridFor(*mesh, parameters), frame, progress);
+    const MapStorage storage =
+        has("storage") && parameters.choice("storage") == "entries" ? MapStorage::Entries : MapStorage::Cells;
+    return std::make_shared<SphericalMaps>(mesh, gridFor(*mesh, parameters), frame, storage, progress);
 }
 
 void finish(MappedScene& structure) {
@@ -85,6 +87,13 @@ ParameterDeclaration rowsParameter() {
         wholeNumber("rows", SphericalGrid::kRows, 0, 4096,
                     CULLSCOPE_TR("Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than "
                                  "triangles. 0: as many cells a triangle as in the paper.")));
+}
+
+ParameterDeclaration storageParameter() {
+    return readWhenBuilding(
+        choiceParameter("storage", "cells", CULLSCOPE_TR("What the maps keep of R."),
+                        {{"cells", CULLSCOPE_TR("of each cell its nearest and farthest surface")},
+                         {"entries", CULLSCOPE_TR("with each entry of the index map its centroid's (Table 1)")}}));
 }
 
 std::vector<ParameterDeclaration> bandParameters(double width, int64_t sectors) {

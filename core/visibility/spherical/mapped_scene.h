@@ -25,7 +25,7 @@ struct MappedScene : Structure {
     std::array<bool, kFacingRules> starShaped{};
 };
 
-/// The maps of a mesh by the parameter "rows".
+/// The maps of a mesh by the parameter "rows" and, where they are declared, "axis", "origin" and "storage".
 [[nodiscard]] SphericalMapsPointer makeMaps(const MeshPointer& mesh, const ParameterSet& parameters, const Progress& progress);
 /// After the meshes' structures were made: the order and the report.
 void finish(MappedScene& structure);
@@ -33,6 +33,8 @@ void finish(MappedScene& structure);
 // Parameters of strategies that decide by cells of maps.
 
 [[nodiscard]] ParameterDeclaration rowsParameter();
+/// "storage": what the maps keep of R.
+[[nodiscard]] ParameterDeclaration storageParameter();
 /// "band", the width in degrees, and "sectors".
 [[nodiscard]] std::vector<ParameterDeclaration> bandParameters(double width, int64_t sectors);
 /// Contour bands by these parameters around the axis to the eye, with all sizes 0.

@@ -21,10 +21,18 @@ Decision testOf(const Subject& subject, const char* sentence, std::initializer_l
 /// What the search along a ray found in one cell. `ray`: its number, from 1.
 Decision walkedTest(const SphericalMaps& maps, const WalkedCell& walked, double ray, uint32_t instance) {
     const uint32_t cell = maps.grid().number(walked.cell);
-    const SphericalMaps::Extent& extent = maps.extent(cell);
+    const SphericalMaps::Extent extent = maps.extent(cell);
     const Subject subject = Subject::ofCell(cell, instance);
     Decision test;
-    if (extent.empty()) {
+    if (maps.storage() == MapStorage::Entries) {
+        test = testOf(subject,
+                      walked.hit
+                          ? CULLSCOPE_TR("Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that one is "
+                                         "hit.")
+                          : CULLSCOPE_TR("Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that none is "
+                                         "hit."),
+                      {ray, walked.nearest, walked.farthest, double(walked.tested)});
+    } else if (extent.empty()) {
         test = testOf(subject, CULLSCOPE_TR("Ray %1 passes a cell in which no triangle lies."), {ray});
     } else if (walked.nearest > extent.farthest) {
         test = testOf(subject,

@@ -139,7 +139,7 @@ public:
     [[nodiscard]] SlopeTest test(const CellDirections& directions, const BandCells::Cell& cell,
                                  const HorizonCells::Cap& owned) const {
         if (owned.cosine <= 0.0f) return {};
-        const SphericalMaps::Extent& extent = m_maps.extent(cell.number);
+        const SphericalMaps::Extent extent = m_maps.extent(cell.number);
         // The displacement is converted to an angle at the centre; a cell near the centre may be displaced to any direction.
         if (extent.nearest <= 16.0 * m_reach) return {};
         const CapOnBands cap(m_bands, directions.middle({cell.row, cell.column}), owned, 1.1 * m_reach / extent.nearest);

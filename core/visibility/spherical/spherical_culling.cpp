@@ -81,6 +81,7 @@ RegisteredStrategy spherical() {
     std::ranges::move(bandParameters(5.0, 36), std::back_inserter(info.parameters));
     std::ranges::move(readingParameters(), std::back_inserter(info.parameters));
     std::ranges::move(coordinateParameters(), std::back_inserter(info.parameters));
+    info.parameters.push_back(storageParameter());
     info.needsEyePoint = true;
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
     Show listing = bandsListing();

@@ -177,7 +177,7 @@ CornerRay cornerOf(const SphericalMaps& maps, const Ray& ray, uint32_t number, R
 double outermost(const SphericalMaps& maps, uint32_t row) {
     double result = 0.0;
     for (uint32_t column = 0; column < maps.grid().columns(); ++column) {
-        const SphericalMaps::Extent& extent = maps.extent(maps.grid().number({row, column}));
+        const SphericalMaps::Extent extent = maps.extent(maps.grid().number({row, column}));
         if (!extent.empty()) result = std::max(result, double(extent.farthest));
     }
     return result;

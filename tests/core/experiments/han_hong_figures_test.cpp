@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "core/experiments/han_hong_band_lines.h"
+#include "core/experiments/han_hong_figure_data.h"
 #include "core/experiments/han_hong_figure_lines.h"
 #include "core/gpu/gpu_frame.h"
 #include "core/image/drawing_svg.h"
@@ -169,32 +170,33 @@ TEST(HanHongFigures, sevenHasOneLegendForObjectAndMap) {
         EXPECT_EQ(std::ranges::count(words, wanted), 1) << wanted << ": in the map, too, and once on the page";
 }
 
-TEST(HanHongFigures, contoursLieOnTheSurfaceAtTheEdgesOfBands) {
-    const ScenePointer scene = body();
-    const View view = wholeViewOf(*scene);
-    const StructureSnapshot snapshot = bandsOf(scene, 7);
+TEST(HanHongFigures, sevenTellsBandsApartByLightnessWithoutLinesAcrossTheObject) {
+    const StructureSnapshot snapshot = bandsOf(body(), 7);
+    const spherical::ContourBands& bands = *spherical::mapsOf(snapshot).front().decision.bands;
+    for (uint32_t band = 0; band < bands.bands; ++band)
+        for (const double share : {0.01, 0.5, 0.99})
+            for (const double beta : {0.3, 4.0}) {
+                const double light = han_hong::lightnessOfBand(bands, 7.0 * bands.direction((band + share) * bands.width, beta));
+                EXPECT_EQ(light == 1.0, band % 2 == 0) << band << ", " << share;
+                EXPECT_GT(light, 0.5);
+            }
+    // Lines over a picture have a casing of the background's white, and are black.
+    const han_hong::Figure figure = made(7, body());
+    const PagePicture& picture = figure.page.pictures.front();
+    size_t dark = 0, covered = 0;
+    for (size_t i = 0; i < picture.rgba.size(); i += 4) {
+        const int most = std::max({picture.rgba[i], picture.rgba[i + 1], picture.rgba[i + 2]});
+        dark += most < 30 ? 1 : 0;
+        covered += most < 250 ? 1 : 0;
+    }
+    EXPECT_GT(covered, 10'000u);
+    EXPECT_EQ(dark, 0u);
+}
+
+TEST(HanHongFigures, sixShowsTheSectorWithTheFewestBandsCutForGood) {
+    const StructureSnapshot snapshot = bandsOf(body(), 6);
     const spherical::MapSnapshot& map = spherical::mapsOf(snapshot).front();
-    const DrawStyle style;
-    const OverlayContext context{*scene, view, style, verdictPalette(style.background), Vec3f(1.0f)};
-    const spherical::MapPlace place(*scene, map);
     const spherical::ContourBands& bands = *map.decision.bands;
-    size_t lines = 0;
-    for (const OverlayLines& overlay : han_hong::contoursOnSurface(context, map))
-        for (const LineSegment& line : overlay.lines) {
-            // Back from where it stands before the surface.
-            const Vec3 point = place.local((line.from - 0.003 * view.eye()) / 0.997);
-            const double alpha = bands.anglesOf(point).x / bands.width;
-            // Straight between two corners of a triangle, α bends by less than a tenth of a band.
-            ASSERT_NEAR(alpha, std::round(alpha), 0.1) << lines;
-            ++lines;
-        }
-    EXPECT_GT(lines, 500u);
-    // Short lines are left out whole, and what is left is a part of all.
-    size_t longLines = 0;
-    for (const OverlayLines& overlay : han_hong::contoursOnSurface(context, map, 0.6)) longLines += overlay.lines.size();
-    EXPECT_GT(longLines, 0u);
-    EXPECT_LE(longLines, lines);
-    for (const OverlayLines& overlay : han_hong::contoursOnSurface(context, map, 100.0)) EXPECT_TRUE(overlay.lines.empty());
     // In the sector of Figure 6 no hidden band has an S larger than those before it, where there is such a sector.
     const uint32_t sector = han_hong::tellingSector(bands, Vec3(0, 0, 1));
     const auto larger = [&](uint32_t which) {
@@ -216,6 +218,25 @@ TEST(HanHongFigures, twoHasAxesAndOnePointInBothPictures) {
     const std::vector<std::string> words = wordsOf(made(2, body()).page);
     for (const char* wanted : {"O", "R", "P", "x, φ = 0°", "y, φ = 90°", "z, θ = 0°"}) EXPECT_THAT(words, Contains(wanted));
     EXPECT_THAT(words, Contains(testing::StartsWith("P: R = ")));
+}
+
+TEST(HanHongFigures, dataOfTwoAreThePointAndTheCellsOfTheMap) {
+    const ScenePointer scene = body();
+    const ResultTable data = made(2, scene).data;
+    EXPECT_EQ(rowsOf(data, "point"), 1u);
+    // A map has no more cells than the mesh has triangles.
+    const auto rows = uint32_t(std::lround(180.0 / std::get<double>(data.value(1, "theta_to"))));
+    const SphericalMaps maps(scene->meshes().front(), SphericalGrid(2 * rows, rows));
+    uint64_t entries = 0;
+    for (size_t row = 0; row < data.rows.size(); ++row) {
+        if (data.value(row, "kind") != CellValue(std::string("cell"))) continue;
+        const auto number = [&](const char* key) { return std::get<double>(data.value(row, key)); };
+        EXPECT_LE(number("nearest_r"), number("r"));
+        entries += uint64_t(number("entries"));
+        ASSERT_EQ(number("entries"), double(maps.triangles(uint32_t(number("number"))).size()));
+    }
+    EXPECT_EQ(entries, maps.indexEntries());
+    EXPECT_THAT(han_hong::figureSentences(data), testing::ElementsAre(testing::HasSubstr("cells hold triangles")));
 }
 
 /// S² + its foot² = R², on an axis perpendicular to the sight ray, for the largest S that is not hidden for good.
@@ -242,6 +263,7 @@ TEST(HanHongFigures, sixSaysWhatIsProjectedAndWhere) {
     for (const char* wanted : {"O", "R", "α", "perpendicular axis", "S = R · sin α", "to the eye"})
         EXPECT_THAT(words, Contains(wanted));
     EXPECT_THAT(words, Contains(testing::HasSubstr("beyond α = 90°")));
+    for (const char* band : {"1", "6", "12"}) EXPECT_EQ(std::ranges::count(words, band), 1) << "the number of a band";
 }
 
 TEST(HanHongFigures, threeComparesTheRayWithItsCells) {

@@ -211,6 +211,50 @@ TEST(SphericalMaps, areNoLargerThanThePapersTable1) {
     EXPECT_LE(bytes.all(), 8'000'000u) << bytes.centroidMap << " " << bytes.indexMap << " " << bytes.accessMap;
 }
 
+TEST(SphericalMaps, storageByEntriesGivesTheSameAnswers) {
+    for (const MeshPointer& mesh : {starMesh(3, 20'000), awkwardTriangles(), randomTriangles(8, 500), coneOfSlivers(40)})
+        for (const SphericalGrid& grid : {SphericalGrid(), SphericalGrid(12, 6)}) {
+            const SphericalMaps cells(mesh, grid);
+            const SphericalMaps entries(mesh, grid, {mesh->localSphere()}, MapStorage::Entries);
+            Random random(17);
+            uint64_t narrowed = 0;
+            for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
+                ASSERT_TRUE(std::ranges::equal(cells.triangles(cell), entries.triangles(cell))) << cell;
+                ASSERT_EQ(cells.extent(cell).nearest, entries.extent(cell).nearest) << cell;
+                ASSERT_EQ(cells.extent(cell).farthest, entries.extent(cell).farthest) << cell;
+                const auto last = uint32_t(random.between(cell, grid.cellCount()));
+                ASSERT_EQ(cells.run(cell, last + 1), entries.run(cell, last + 1)) << cell << " to " << last;
+                // Every triangle with a point between the distances is among those that are looked at.
+                const double nearest = random.between(0.0, mesh->localSphere().radius),
+                             farthest = nearest * random.between(1.0, 1.1);
+                const auto found = entries.trianglesBetween(cell, nearest, farthest);
+                narrowed += entries.triangles(cell).size() - found.size();
+                for (const uint32_t triangle : entries.triangles(cell)) {
+                    ASSERT_EQ(cells.centroidRadius(triangle), entries.centroidRadius(triangle));
+                    double least = std::numeric_limits<double>::infinity(), most = 0.0;
+                    for (const Vec3& corner : entries.corners(triangle)) {
+                        least = std::min(least, glm::length(corner));
+                        most = std::max(most, glm::length(corner));
+                    }
+                    if (least <= farthest && most >= nearest)
+                        ASSERT_TRUE(std::ranges::count(found, triangle)) << triangle << " in " << cell;
+                }
+            }
+            EXPECT_GT(narrowed, 0u);
+        }
+}
+
+TEST(SphericalMaps, storageByEntriesHasTheBytesOfThePapersFormulas) {
+    const MeshPointer mesh = starMesh(7, 20'000);
+    const SphericalGrid grid;
+    const SphericalMaps cells(mesh, grid), entries(mesh, grid, {mesh->localSphere()}, MapStorage::Entries);
+    const uint64_t starts = 4 * (grid.cellCount() + 1), triangles = mesh->triangleCount();
+    EXPECT_EQ(entries.bytes().centroidMap, 4 * 4 * triangles + starts);
+    EXPECT_EQ(entries.bytes().indexMap, 2 * 4 * entries.indexEntries() + starts);
+    EXPECT_EQ(entries.bytes().accessMap, 4 * 4 * grid.cellCount() + 12 * triangles) << "and the vertices in the cells' order";
+    EXPECT_EQ(cells.bytes().indexMap, 4 * cells.indexEntries() + 8 * grid.cellCount() + starts);
+}
+
 TEST(SphericalMaps, anIndexMapThatWouldNotFitIsRefused) {
     const MeshPointer mesh = starMesh(7, 5'000);
     const uint64_t entries = SphericalMaps(mesh, SphericalGrid()).indexEntries();

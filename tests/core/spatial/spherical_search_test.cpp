@@ -101,11 +101,15 @@ TEST(SphericalSearch, findsWhatEmbreeFinds) {
     uint64_t hits = 0, edges = 0, all = 0;
     for (const MeshPointer& mesh : meshes) {
         const SphericalMaps maps(mesh, SphericalGrid::forTriangles(mesh->triangleCount()));
+        const SphericalMaps entries(mesh, maps.grid(), maps.frame(), MapStorage::Entries);
         const Tracer tracer(maps);
         const double radius = maps.sphere().radius;
         for (size_t i = 0; i < rays; ++i) {
             const Ray ray = anyRay(random, radius, i % 2 == 0);
             const std::optional<TriangleHit> expected = tracer.first(ray), found = searchTriangle(maps, ray);
+            const std::optional<TriangleHit> byEntries = searchTriangle(entries, ray);
+            ASSERT_EQ(found.has_value(), byEntries.has_value()) << mesh->name() << ", ray " << i;
+            if (found) ASSERT_EQ(found->triangle, byEntries->triangle) << mesh->name() << ", ray " << i;
             ++all;
             hits += expected ? 1 : 0;
             if (!expected && !found) continue;
