@@ -198,6 +198,7 @@ int main(int argc, char** argv) {
     keepStandardStreams();
     endWithSentenceOnTerminate();
     endWithSentenceOnWant();
+    const ExitsForWant exits;
     try {
         const CommandLine line = parse(argc, argv);
         ui::AbruptEnd abruptEnd;

@@ -124,6 +124,7 @@ int main(int argc, char** argv) {
     keepStandardStreams();
     endWithSentenceOnTerminate();
     endWithSentenceOnWant();
+    const ExitsForWant exits;
     try {
         return run(argc, argv);
     } catch (const ReaderGone&) {

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 
@@ -18,15 +19,32 @@ namespace {
 void writeError(const char* text) { [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text)); }
 
 std::atomic<void (*)()> s_look{nullptr};
+std::atomic<bool> s_exitsAreLibraries{false};
+
+void endWhereShort() {
+    if (memoryIsShort() || threadsAreShort()) endForWant();
+}
+
+void onExit() {
+    if (s_exitsAreLibraries) endWhereShort();
+}
 
 void endOrCrash(int signal) {
-    if (memoryIsShort() || threadsAreShort()) endForWant();
+    endWhereShort();
     if (void (*const look)() = s_look) look();
     // The handler was removed when it was called, and its signal is not blocked.
     std::raise(signal);
 }
 
 }  // namespace
+
+ExitsForWant::ExitsForWant() {
+    static const int registered = std::atexit(onExit);
+    static_cast<void>(registered);
+    s_exitsAreLibraries = true;
+}
+
+ExitsForWant::~ExitsForWant() { s_exitsAreLibraries = false; }
 
 void endForWant() {
     // Threads may crash at the same time.

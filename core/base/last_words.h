@@ -12,6 +12,17 @@ void endWithSentenceOnTerminate();
 /// by its signal.
 void endWithSentenceOnWant();
 
+/// While an object of this class exists, the program ends with that sentence, too, where a library exits while the system refuses
+/// memory or threads: a scanner of Mesa's shader compiler exits so. For all of `main`, which returns when it is gone. One at a
+/// time.
+class ExitsForWant {
+public:
+    ExitsForWant();
+    ~ExitsForWant();
+    ExitsForWant(const ExitsForWant&) = delete;
+    ExitsForWant& operator=(const ExitsForWant&) = delete;
+};
+
 /// In a crash whose cause is not a lack of memory or threads `look` is called, in the signal handler: it may find another cause
 /// outside of the program and end it with a sentence. One at a time.
 void lookAtCrashes(void (*look)());

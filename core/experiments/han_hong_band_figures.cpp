@@ -97,15 +97,16 @@ private:
         addPicture(size, drawn(frameOfAll(m_culling), observer(size), {},
                                [&](const OverlayContext& context) { return spherical::bandOverlay(context, {*m_map}); }));
         const PlotColour dark = plotColour(contrastTo(m_style.background));
-        addLegendBelow({{{Shape::Line, stateColour(TriangleState::Visible), 1.0},
-                         say(CULLSCOPE_TR("where a band begins that is drawn, by sector"))},
-                        {{Shape::Line, stateColour(TriangleState::Hidden), 1.0},
-                         say(CULLSCOPE_TR("where a band begins that is hidden, by sector"))},
-                        {{Shape::Line, dark, 2.5}, "α = 90°"},
-                        {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("sight ray through the middle of the sphere"))},
-                        {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
-                        {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
-                       size.height);
+        addLegendBelow(
+            {{{Shape::Line, stateColour(TriangleState::Visible), 1.0},
+              say(CULLSCOPE_TR("where a band begins that is drawn, by sector"))},
+             {{Shape::Line, stateColour(TriangleState::Hidden), 1.0},
+              say(CULLSCOPE_TR("where a band begins that is hidden, by sector"))},
+             {{Shape::Line, dark, 2.5}, "α = 90°"},
+             {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("sight ray through the middle of the sphere, seen through the object"))},
+             {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
+             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))}},
+            size.height);
         addMap(m_log, "entries");
     }
 
@@ -139,7 +140,7 @@ private:
 
     /// Beyond the sphere, where each band lies; that of the largest S beyond its letter.
     void addBandNumbers(const View& viewing, const std::vector<spherical::SizePlace>& sizes) {
-        constexpr double kBeyond = 1.05, kBeyondLetter = 1.17;  // radii
+        constexpr double kBeyond = 1.05, kBeyondLetter = 1.22;  // radii
         const auto largest =
             std::ranges::max_element(sizes, {}, [](const spherical::SizePlace& size) { return size.larger ? 0.0 : size.size; });
         const MapPlace place(scene(), *m_map);
@@ -161,9 +162,11 @@ private:
             {{Shape::Dashed, green, 1.0},
              say(CULLSCOPE_TR(
                  "level of the largest S: beyond α = 90°, bands farther from the eye that stay below it are hidden"))},
-            {{Shape::Line, green, 1.0}, say(CULLSCOPE_TR("edges of the sector and its bands, which are numbered from the eye"))},
+            {{Shape::Line, green, 1.0},
+             say(CULLSCOPE_TR("edges of the sector and its bands, numbered from the eye; without triangles a band has no S"))},
             {{Shape::Line, plotColour(projectionColour()), 2.0}, say(CULLSCOPE_TR("R of the largest S, from the origin O"))},
-            {{Shape::Dashed, plotColour(projectionColour()), 1.5}, say(CULLSCOPE_TR("its projection on the perpendicular axis"))},
+            {{Shape::Dashed, plotColour(projectionColour()), 1.5},
+             say(CULLSCOPE_TR("its projection on the perpendicular axis, where S is as long"))},
             {{Shape::Dot, dark}, say(CULLSCOPE_TR("nearest to the eye"))},
             {{Shape::Ring, dark}, say(CULLSCOPE_TR("opposite"))},
             {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
@@ -216,15 +219,16 @@ private:
                            {std::move(back), CULLSCOPE_TR("back: from the opposite side, into the hollow shell")},
                            {std::move(beside), CULLSCOPE_TR("from the side, as in Figures 5 to 7, with what is left out")}});
         const PlotColour dark = plotColour(contrastTo(m_style.background));
-        addLegendBelow({{{Shape::Area, plotColour(m_style.surface)}, say(CULLSCOPE_TR("front sides of what is drawn"))},
-                        {{Shape::Area, plotColour(backColour(m_style.background))},
-                         say(CULLSCOPE_TR("its back sides, seen from within: the darker, the deeper in the hollow"))},
-                        {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("rim of what is drawn: there the shell ends"))},
-                        {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
-                        {{Shape::Area, stateColour(TriangleState::WronglyCulled)},
-                         m_look.say({CULLSCOPE_TR("visible, but hidden by S: %1 of the pixels that the object covers"),
-                                     {Term::share(lost)}})}},
-                       0.0);
+        addLegendBelow(
+            {{{Shape::Area, plotColour(m_style.surface)}, say(CULLSCOPE_TR("front sides of what is drawn"))},
+             {{Shape::Area, plotColour(backColour(m_style.background))},
+              say(CULLSCOPE_TR("its back sides, seen from within: the darker, the deeper in the hollow"))},
+             {{Shape::Line, dark, 1.5}, say(CULLSCOPE_TR("rim of what is drawn: there the shell ends"))},
+             {{Shape::Area, plotColour(ghostColour(m_style))}, say(CULLSCOPE_TR("what is not drawn"))},
+             {{Shape::Area, stateColour(TriangleState::WronglyCulled)},
+              m_look.say({CULLSCOPE_TR("wrongly culled: visible, but hidden by S: %1 of the pixels that the object covers"),
+                          {Term::share(lost)}})}},
+            0.0);
     }
 
     struct NamedPicture {

@@ -49,11 +49,11 @@ public:
             {{Shape::Line, opaque(kPhiGreen), 2.0}, say(CULLSCOPE_TR("φ, azimuth from the x axis to the foot of P"))});
         entries.push_back({{Shape::Dashed, opaque(kFootGrey), 1.5}, say(CULLSCOPE_TR("foot of P in the plane of x and y"))});
         entries.push_back({{Shape::Dot, opaque(kRadiusRed)}, m_look.say({CULLSCOPE_TR("the same point P in both"), {}})});
-        m_bottom =
-            addText(m_page,
-                    say(CULLSCOPE_TR("The map shows the outermost surface in each direction from O, lit as a relief: slopes are "
-                                     "darker than the scale.")),
-                    {kMargin, m_bottom + 4.0}, inner(), m_look.style, m_look.style.text);
+        m_bottom = addText(
+            m_page,
+            say(CULLSCOPE_TR("Above, lines within the object are pale. The map shows the outermost surface in each direction "
+                             "from O, lit as a relief: slopes are darker than the scale.")),
+            {kMargin, m_bottom + 4.0}, inner(), m_look.style, m_look.style.text);
         m_bottom = addScale(m_page, {"R = 0", fmt::format("{:.2f}", scene().boundingSphere().radius), {}, reliefColour},
                             {kMargin, m_bottom}, m_look.style);
         addLegendBelow(entries, 0.0);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "core/experiments/han_hong_random_views.h"
 #include "core/experiments/han_hong_rows.h"
@@ -55,18 +54,11 @@ CameraPath viewsNearTheEdge(const Scene& scene) {
 /// Twelve random views with 45 degrees in which one to three corner rays hit the object.
 CameraPath viewsWithSomeHits(const Scene& scene) {
     const Angle field = Angle::fromDegrees(45.0);
-    CameraPath path;
-    path.name = "some-rays-hit";
-    path.fovy = field;
-    path.nearDistance = std::numeric_limits<double>::infinity();
+    std::vector<View> views;
     for (const RandomView& each : randomViews(scene, ConsideredFaces(scene), field, kRandomViews, 12,
-                                              [](const Considered& found) { return found.hits >= 1 && found.hits <= 3; })) {
-        const Camera& camera = each.view.camera();
-        path.poses.push_back({camera.eye, camera.target, camera.up});
-        path.nearDistance = std::min(path.nearDistance, camera.nearDistance);
-        path.farDistance = std::max(path.farDistance, camera.farDistance);
-    }
-    return path;
+                                              [](const Considered& found) { return found.hits >= 1 && found.hits <= 3; }))
+        views.push_back(each.view);
+    return pathThrough(views, field, "some-rays-hit");
 }
 
 /// `spherical` as it reads the paper by default, and with each other reading alone.

@@ -51,8 +51,7 @@ public:
 
         const View nearby = fitted(camera, aroundHits(map), {int(kNearWidth * inner()), int(kNearHeight * inner())});
         addSearch(log, map, nearby, kMargin);
-        addPlate({m_page.pictures.back().corner.x + 4.0,
-                  m_page.pictures.back().corner.y + nearby.viewport().height - m_look.style.height / 2},
+        addPlate({m_page.pictures.back().corner.x + 4.0, m_page.pictures.back().corner.y + m_look.style.height / 2},
                  say(CULLSCOPE_TR("the same, enlarged")));
         addComparison(map, kMargin + nearby.viewport().width + kBesideSearch, nearby.viewport().height);
         addSigns(map, nearby.viewport().height);
@@ -142,7 +141,7 @@ private:
         plot.x.title = wayWords(map.maps->grid(), shown);
         plot.y.title = "R";
         PlotBars cells{say(CULLSCOPE_TR("R of the triangles of a cell")), kCellBlue, {}};
-        PlotBars hit{say(CULLSCOPE_TR("of the cell in which the triangle hit was found")), kHitCell, {}};
+        PlotBars hit{say(CULLSCOPE_TR("of the first cell with the triangle that is hit")), kHitCell, {}};
         for (const WalkedCell& walked : shown) {
             const SphericalMaps::Extent extent = map.maps->extent(map.maps->grid().number(walked.cell));
             if (extent.empty()) continue;
@@ -169,7 +168,7 @@ private:
         const auto degrees = [](double angle) { return Term::name(fmt::format("{:.0f}°", angle * 180.0 / kPi)); };
         const auto theta = [&](const WalkedCell& walked) { return degrees(grid.thetaOf(walked.cell.row)); };
         const auto phi = [&](const WalkedCell& walked) { return degrees(grid.phiOf(walked.cell.column)); };
-        return m_look.say({CULLSCOPE_TR("end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)"),
+        return m_look.say({CULLSCOPE_TR("way from the sphere, its end: cells (θ, φ) = (%1, %2) to (%3, %4)"),
                            {theta(cells.front()), phi(cells.front()), theta(cells.back()), phi(cells.back())}});
     }
 

@@ -175,11 +175,6 @@ CameraPath viewsOfCase(const Scene& scene, const TableCase& wanted, Angle field)
     const ConsideredFaces considered(scene);
     const Lens lens(scene, field, wanted.up);
     const auto faces = double(scene.meshOf(0).triangleCount());
-    CameraPath path;
-    path.name = fmt::format("considered-{} {:g}", wanted.number, field.degrees());
-    path.fovy = field;
-    path.nearDistance = std::numeric_limits<double>::infinity();
-    path.farDistance = 0.0;
     std::vector<View> views;
     bool near = true;
     for (const Vec3& direction : directionsOf(wanted)) {
@@ -193,6 +188,15 @@ CameraPath viewsOfCase(const Scene& scene, const TableCase& wanted, Angle field)
         if (!others.empty()) views.clear();
         for (const RandomView& other : others) views.push_back(other.view);
     }
+    return pathThrough(views, field, fmt::format("considered-{} {:g}", wanted.number, field.degrees()));
+}
+
+CameraPath pathThrough(const std::vector<View>& views, Angle field, std::string name) {
+    CameraPath path;
+    path.name = std::move(name);
+    path.fovy = field;
+    path.nearDistance = std::numeric_limits<double>::infinity();
+    path.farDistance = 0.0;
     for (const View& view : views) {
         const Camera& camera = view.camera();
         path.poses.push_back({camera.eye, camera.target, camera.up});

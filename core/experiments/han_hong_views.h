@@ -52,6 +52,9 @@ inline constexpr double kNearTheShare = 0.05;
 /// of the path show it. The scene must not be empty.
 [[nodiscard]] CameraPath viewsOfCase(const Scene& scene, const TableCase& wanted, Angle field);
 
+/// A path through views with one field of view, whose depth range holds those of all; without views it has no poses.
+[[nodiscard]] CameraPath pathThrough(const std::vector<View>& views, Angle field, std::string name);
+
 /// The share of an object's faces that views of a case consider: the range over the same targets and distances of 1.02 to 12
 /// radii at which the case occurs, from one direction; none where it occurs at no distance.
 struct ShareRange {

@@ -5316,10 +5316,6 @@
         <translation>경계 상자, 메모리 접근 맵의 구간</translation>
     </message>
     <message>
-        <source>Near half, and what no larger S hides</source>
-        <translation>가까운 절반, 그리고 더 큰 S에 가려지지 않는 것</translation>
-    </message>
-    <message>
         <source>Graphics pipeline</source>
         <translation>그래픽스 파이프라인</translation>
     </message>
@@ -6776,10 +6772,6 @@
         <translation>가장 큰 S의 R, 원점 O에서</translation>
     </message>
     <message>
-        <source>its projection on the perpendicular axis</source>
-        <translation>수직축에 대한 그 사영</translation>
-    </message>
-    <message>
         <source>front: from the eye</source>
         <translation>앞면: 눈에서</translation>
     </message>
@@ -7154,10 +7146,6 @@
     <message>
         <source>from the side, as in Figures 5 to 7, with what is left out</source>
         <translation>옆에서(그림 5~7과 같음), 그리지 않는 부분과 함께</translation>
-    </message>
-    <message>
-        <source>visible, but hidden by S: %1 of the pixels that the object covers</source>
-        <translation>보이지만 S로 숨겨짐: 물체가 덮는 화소의 %1</translation>
     </message>
     <message>
         <source>the way of the view in this figure</source>
@@ -7548,10 +7536,6 @@
         <translation>φ, x축에서 수선의 발까지의 방위각</translation>
     </message>
     <message>
-        <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
-        <translation>경로의 끝: 칸 (θ, φ) = (%1, %2)에서 (%3, %4)까지</translation>
-    </message>
-    <message>
         <source>walk(cell); if open, its parts</source>
         <translation>순회(셀), 안 정해지면 부분마다</translation>
     </message>
@@ -7624,10 +7608,6 @@
         <translation>헛되이 그려짐: 그려지지만 눈에서 본 그림의 어느 픽셀에도 나타나지 않습니다. 흰 셀: 무게중심이 그곳에 있는 삼각형이 없습니다.</translation>
     </message>
     <message>
-        <source>of the cell in which the triangle hit was found</source>
-        <translation>교차된 삼각형을 찾은 셀의 R</translation>
-    </message>
-    <message>
         <source>Four corner rays, from where they enter the sphere</source>
         <translation>모서리 광선 네 개, 구에 들어가는 곳부터</translation>
     </message>
@@ -7648,24 +7628,12 @@
         <translation>그런 무작위 시점, 20,000개 중</translation>
     </message>
     <message>
-        <source>sight ray through the middle of the sphere</source>
-        <translation>구의 중심을 지나는 시선</translation>
-    </message>
-    <message>
-        <source>edges of the sector and its bands, which are numbered from the eye</source>
-        <translation>부채꼴과 그 띠의 경계. 띠의 번호는 눈에서부터 셉니다</translation>
-    </message>
-    <message>
         <source>On the object the second, fourth, … band from the eye is darker; what is wrongly culled has an outline.</source>
         <translation>물체에서 눈으로부터 두 번째, 네 번째, … 띠는 더 어둡습니다. 잘못 제거된 부분에는 윤곽선이 있습니다.</translation>
     </message>
     <message>
         <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value, unless storage=entries of spherical is chosen, which table-1 builds and spherical-readings times.</source>
         <translation>색인 맵의 항목 수는 360 × 180에서 삼각형이 셀에 닿는 수입니다. 논문은 항목마다 R을 저장합니다. 여기서는 셀마다 가장 가까운 R과 가장 먼 R을 둡니다. spherical의 storage=entries를 고르면 항목마다 R을 두며, table-1이 이를 만들고 spherical-readings가 시간을 잽니다.</translation>
-    </message>
-    <message>
-        <source>The map shows the outermost surface in each direction from O, lit as a relief: slopes are darker than the scale.</source>
-        <translation>맵은 O에서 본 각 방향의 가장 바깥 표면을 보여 줍니다. 부조처럼 빛을 받아 비탈은 눈금보다 어둡습니다.</translation>
     </message>
     <message>
         <source>the same, enlarged</source>
@@ -7686,10 +7654,6 @@
     <message>
         <source>All of it goes to the pipeline</source>
         <translation>전부 파이프라인으로 보냄</translation>
-    </message>
-    <message>
-        <source>Contour bands over the centroid map, S by sector</source>
-        <translation>무게중심 맵 위의 등고선 띠, 부채꼴별 S</translation>
     </message>
     <message>
         <source>cells along a corner ray</source>
@@ -7714,6 +7678,42 @@
     <message>
         <source>Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that none is hit.</source>
         <translation>이 셀에서 %1번 광선은 R = %2~%3에 있습니다. R이 그에 가까운 삼각형 %4개 중 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>sight ray through the middle of the sphere, seen through the object</source>
+        <translation>구의 중심을 지나는 시선, 물체 너머로도 보임</translation>
+    </message>
+    <message>
+        <source>edges of the sector and its bands, numbered from the eye; without triangles a band has no S</source>
+        <translation>부채꼴과 그 띠의 경계, 번호는 눈에서부터; 삼각형이 없는 띠에는 S가 없음</translation>
+    </message>
+    <message>
+        <source>its projection on the perpendicular axis, where S is as long</source>
+        <translation>수직축에 대한 그 사영. 축 위의 S와 길이가 같음</translation>
+    </message>
+    <message>
+        <source>wrongly culled: visible, but hidden by S: %1 of the pixels that the object covers</source>
+        <translation>잘못 제거됨: 보이지만 S에 가려짐: 물체가 덮는 픽셀의 %1</translation>
+    </message>
+    <message>
+        <source>Above, lines within the object are pale. The map shows the outermost surface in each direction from O, lit as a relief: slopes are darker than the scale.</source>
+        <translation>위에서 물체 안의 선은 흐립니다. 맵은 O에서 본 각 방향의 가장 바깥 표면을 보여 줍니다. 부조처럼 빛을 받아 비탈은 눈금보다 어둡습니다.</translation>
+    </message>
+    <message>
+        <source>of the first cell with the triangle that is hit</source>
+        <translation>맞은 삼각형이 있는 첫 셀의 R</translation>
+    </message>
+    <message>
+        <source>way from the sphere, its end: cells (θ, φ) = (%1, %2) to (%3, %4)</source>
+        <translation>구에서부터의 길, 그 끝: 셀 (θ, φ) = (%1, %2)에서 (%3, %4)까지</translation>
+    </message>
+    <message>
+        <source>Contour bands on the maps, S by sector</source>
+        <translation>맵 위의 등고선 띠, 부채꼴별 S</translation>
+    </message>
+    <message>
+        <source>Near half, and what no larger S hides: ranges of the memory access map</source>
+        <translation>가까운 쪽 절반과 더 큰 S가 가리지 않는 부분: 메모리 접근 맵의 구간</translation>
     </message>
 </context>
 <context>

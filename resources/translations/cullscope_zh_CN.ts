@@ -5316,10 +5316,6 @@
         <translation>其包围盒，内存访问图的区间</translation>
     </message>
     <message>
-        <source>Near half, and what no larger S hides</source>
-        <translation>近半部分，以及不被更大的 S 遮挡的部分</translation>
-    </message>
-    <message>
         <source>Graphics pipeline</source>
         <translation>图形管线</translation>
     </message>
@@ -6776,10 +6772,6 @@
         <translation>最大 S 的 R，自原点 O 起</translation>
     </message>
     <message>
-        <source>its projection on the perpendicular axis</source>
-        <translation>其在垂直轴上的投影</translation>
-    </message>
-    <message>
         <source>front: from the eye</source>
         <translation>正面：从视点看</translation>
     </message>
@@ -7154,10 +7146,6 @@
     <message>
         <source>from the side, as in Figures 5 to 7, with what is left out</source>
         <translation>从侧面看（同图 5 至 7），连同未绘制的部分</translation>
-    </message>
-    <message>
-        <source>visible, but hidden by S: %1 of the pixels that the object covers</source>
-        <translation>可见但被 S 隐藏：占物体所覆盖像素的 %1</translation>
     </message>
     <message>
         <source>the way of the view in this figure</source>
@@ -7548,10 +7536,6 @@
         <translation>φ，从 x 轴到 P 的垂足的方位角</translation>
     </message>
     <message>
-        <source>end of its way: from cell (θ, φ) = (%1, %2) to (%3, %4)</source>
-        <translation>路程的末段：从单元 (θ, φ) = (%1, %2) 到 (%3, %4)</translation>
-    </message>
-    <message>
         <source>walk(cell); if open, its parts</source>
         <translation>遍历(单元)，未定则遍历各部分</translation>
     </message>
@@ -7624,10 +7608,6 @@
         <translation>徒劳绘制：已绘制，但在视点图像中没有占据任何像素。白色单元：没有三角形的质心落在其中。</translation>
     </message>
     <message>
-        <source>of the cell in which the triangle hit was found</source>
-        <translation>找到命中三角形的单元的 R</translation>
-    </message>
-    <message>
         <source>Four corner rays, from where they enter the sphere</source>
         <translation>四条角光线，从进入包围球处开始</translation>
     </message>
@@ -7648,24 +7628,12 @@
         <translation>这样的随机视图，共 20,000 个</translation>
     </message>
     <message>
-        <source>sight ray through the middle of the sphere</source>
-        <translation>穿过球心的视线</translation>
-    </message>
-    <message>
-        <source>edges of the sector and its bands, which are numbered from the eye</source>
-        <translation>扇区及其环带的边界，环带从视点起编号</translation>
-    </message>
-    <message>
         <source>On the object the second, fourth, … band from the eye is darker; what is wrongly culled has an outline.</source>
         <translation>物体上从视点起的第二、第四……条环带较暗；被错误剔除的部分带有轮廓线。</translation>
     </message>
     <message>
         <source>The index map has as many entries as triangles touch cells at 360 × 180. The paper stores R with each entry; here R is kept by cell, as its nearest and its farthest value, unless storage=entries of spherical is chosen, which table-1 builds and spherical-readings times.</source>
         <translation>索引图的条目数是 360 × 180 时三角形触及单元格的次数。论文为每个条目存储 R；此处按单元格保存其最近和最远的 R，除非选用 spherical 的 storage=entries：table-1 构建它，spherical-readings 为其计时。</translation>
-    </message>
-    <message>
-        <source>The map shows the outermost surface in each direction from O, lit as a relief: slopes are darker than the scale.</source>
-        <translation>该图显示从 O 出发各方向上最外层的表面，按浮雕方式受光：斜面比色标更暗。</translation>
     </message>
     <message>
         <source>the same, enlarged</source>
@@ -7686,10 +7654,6 @@
     <message>
         <source>All of it goes to the pipeline</source>
         <translation>全部送入管线</translation>
-    </message>
-    <message>
-        <source>Contour bands over the centroid map, S by sector</source>
-        <translation>重心图上的等高环带，各扇区的 S</translation>
     </message>
     <message>
         <source>cells along a corner ray</source>
@@ -7714,6 +7678,42 @@
     <message>
         <source>Ray %1 is at R = %2 to %3 in this cell: of %4 triangles with an R near that none is hit.</source>
         <translation>在此单元中光线 %1 处于 R = %2 至 %3：R 与之接近的 %4 个三角形一个也没有命中。</translation>
+    </message>
+    <message>
+        <source>sight ray through the middle of the sphere, seen through the object</source>
+        <translation>穿过球心的视线，透过物体可见</translation>
+    </message>
+    <message>
+        <source>edges of the sector and its bands, numbered from the eye; without triangles a band has no S</source>
+        <translation>扇区及其环带的边界，从视点起编号；没有三角形的环带没有 S</translation>
+    </message>
+    <message>
+        <source>its projection on the perpendicular axis, where S is as long</source>
+        <translation>其在垂直轴上的投影，轴上的 S 与之等长</translation>
+    </message>
+    <message>
+        <source>wrongly culled: visible, but hidden by S: %1 of the pixels that the object covers</source>
+        <translation>误剔除：可见但被 S 遮挡：占物体所覆盖像素的 %1</translation>
+    </message>
+    <message>
+        <source>Above, lines within the object are pale. The map shows the outermost surface in each direction from O, lit as a relief: slopes are darker than the scale.</source>
+        <translation>上图中物体内部的线较浅。该图显示从 O 出发各方向上最外层的表面，按浮雕方式受光：斜面比色标更暗。</translation>
+    </message>
+    <message>
+        <source>of the first cell with the triangle that is hit</source>
+        <translation>含有被命中三角形的第一个单元的 R</translation>
+    </message>
+    <message>
+        <source>way from the sphere, its end: cells (θ, φ) = (%1, %2) to (%3, %4)</source>
+        <translation>从包围球起的路程，其末段：单元 (θ, φ) = (%1, %2) 到 (%3, %4)</translation>
+    </message>
+    <message>
+        <source>Contour bands on the maps, S by sector</source>
+        <translation>图上的等高环带，各扇区的 S</translation>
+    </message>
+    <message>
+        <source>Near half, and what no larger S hides: ranges of the memory access map</source>
+        <translation>近侧一半以及未被更大的 S 遮挡的部分：内存访问图的区间</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,7 @@
 
 #include "core/base/error.h"
 #include "core/base/last_words.h"
+#include "core/base/memory_limit.h"
 
 namespace cullscope::ui {
 
@@ -53,10 +54,12 @@ enum class Keeping { Yes, No };
 constexpr const char* kDisplayBroke = "The connection to the display broke.";
 
 /// Of `exit`: the program itself ends by returning from main, when this is not watched any more. What ends it so are Xlib and the
-/// parts of Qt for X11 and Wayland, on the thread that meets the broken connection. Objects that the session needs may be
-/// destroyed by then.
+/// parts of Qt for X11 and Wayland, on the thread that meets the broken connection, and libraries that are refused memory.
+/// Objects that the session needs may be destroyed by then.
 void onExit() {
-    if (s_watching) end(ErrorKind::OpenGl, kDisplayBroke, Keeping::No);
+    if (!s_watching) return;
+    if (memoryIsShort() || threadsAreShort()) endForWant();
+    end(ErrorKind::OpenGl, kDisplayBroke, Keeping::No);
 }
 
 // ---- Crashes

@@ -45,8 +45,12 @@ FlowChart flowChart() {
         {Kind::Question, CULLSCOPE_TR("Does a ray meet the object?"), 1.0, 6.0},
         {Kind::Action, CULLSCOPE_TR("Visible region on the map: case 1, 2 or 3"), 0.0, 7.0, {line(BandsLine::Region)}},
         {Kind::Action, CULLSCOPE_TR("Boxes around it, ranges of the memory access map"), 0.0, 8.0, {line(BandsLine::Boxes)}},
-        {Kind::Action, CULLSCOPE_TR("Contour bands over the centroid map, S by sector"), 2.0, 7.0, {line(BandsLine::Bands)}},
-        {Kind::Action, CULLSCOPE_TR("Near half, and what no larger S hides"), 2.0, 8.0, {line(BandsLine::Draw)}},
+        {Kind::Action, CULLSCOPE_TR("Contour bands on the maps, S by sector"), 2.0, 7.0, {line(BandsLine::Bands)}},
+        {Kind::Action,
+         CULLSCOPE_TR("Near half, and what no larger S hides: ranges of the memory access map"),
+         2.0,
+         8.0,
+         {line(BandsLine::Draw)}},
         {Kind::Structure, CULLSCOPE_TR("Graphics pipeline"), 1.0, 9.0}};
     using Way = FlowArrow::Way;
     chart.arrows = {{Vertices, Maps},

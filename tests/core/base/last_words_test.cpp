@@ -4,7 +4,9 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <new>
+#include <optional>
 #include <thread>
 
 #include "tests/support/peak_memory.h"
@@ -44,6 +46,20 @@ TEST(LastWords, crashesForWantOfMemoryEndWithASentenceAndOthersByTheirSignal) {
         EXPECT_EXIT((endWithSentenceOnWant(), takeAwayMemory(), crash(signal)), testing::ExitedWithCode(3), kSaid) << signal;
         EXPECT_EXIT((endWithSentenceOnWant(), crash(signal)), testing::KilledBySignal(signal), "") << signal;
     }
+}
+
+/// As `main` does in which a library exits, by itself or, with the watch over, by returning.
+void exitWith(int status, bool watched) {
+    std::optional<ExitsForWant> exits(std::in_place);
+    if (!watched) exits.reset();
+    std::exit(status);
+}
+
+TEST(LastWords, exitsForWantOfMemoryEndWithASentenceAndOthersAsTheyAsk) {
+    if (!test::memoryIsTheWorks()) GTEST_SKIP() << "The address sanitizer looks for leaks at an exit, for which it takes memory.";
+    EXPECT_EXIT((takeAwayMemory(), exitWith(2, true)), testing::ExitedWithCode(3), kSaid);
+    EXPECT_EXIT((takeAwayMemory(), exitWith(2, false)), testing::ExitedWithCode(2), "");
+    EXPECT_EXIT(exitWith(2, true), testing::ExitedWithCode(2), "");
 }
 
 }  // namespace
