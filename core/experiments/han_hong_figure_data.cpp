@@ -154,14 +154,14 @@ ResultTable figureTable(int number, const BuiltStrategy& strategy) {
     return table;
 }
 
-void addCellRows(ResultTable& table, const SphericalMaps& maps) {
+void addCellRows(ResultTable& table, uint32_t instance, const SphericalMaps& maps) {
     const SphericalGrid& grid = maps.grid();
     for (uint32_t number = 0; number < grid.cellCount(); ++number) {
         const SphericalMaps::Extent extent = maps.extent(number);
         if (extent.empty()) continue;
         const SphericalGrid::Cell cell = grid.cell(number);
         table.addRow({{"view", 1.0},
-                      {"object", 0.0},
+                      {"object", double(instance)},
                       {"kind", std::string("cell")},
                       {"number", double(number)},
                       {"theta", degrees(grid.thetaOf(cell.row))},
@@ -178,10 +178,16 @@ std::vector<std::string> figureSentences(const ResultTable& table) {
     std::map<std::pair<double, double>, RowSummary> summaries;
     for (size_t row = 0; row < table.rows.size(); ++row)
         summaries[{std::get<double>(table.value(row, "view")), std::get<double>(table.value(row, "object"))}].add(table, row);
+    constexpr size_t kMostObjects = 8;
+    std::map<double, size_t> objects;
     std::vector<std::string> sentences;
     for (const auto& [place, summary] : summaries)
-        sentences.push_back(
-            fmt::format("view {:g}, object {:g}: {}", place.first, place.second, fmt::join(summary.parts(), "; ")));
+        if (++objects[place.first] <= kMostObjects)
+            sentences.push_back(
+                fmt::format("view {:g}, object {:g}: {}", place.first, place.second, fmt::join(summary.parts(), "; ")));
+    for (const auto& [view, count] : objects)
+        if (count > kMostObjects)
+            sentences.push_back(fmt::format("view {:g}: {} objects more (--csv or --json)", view, count - kMostObjects));
     return sentences;
 }
 

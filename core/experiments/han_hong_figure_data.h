@@ -12,10 +12,11 @@ namespace cullscope::han_hong {
 /// number in the figure, from 1.
 void addFigureRows(ResultTable& table, size_t view, const BuiltStrategy& strategy, const FrameLog& log);
 
-/// Adds the cells of a mesh's index map in which triangles lie: their angles, number of triangles, nearest and farthest R.
-void addCellRows(ResultTable& table, const SphericalMaps& maps);
+/// Adds the cells of an object's index map in which triangles lie: their angles, number of triangles, nearest and farthest R.
+void addCellRows(ResultTable& table, uint32_t instance, const SphericalMaps& maps);
 /// The table in sentences for a terminal: of each view and object the case, how many corner rays hit, and the boxes; of bands how
-/// many sectors are drawn; of cells how many hold triangles.
+/// many sectors are drawn; of cells how many hold triangles. Of a view with many objects the
+/// first few, and how many more there are.
 [[nodiscard]] std::vector<std::string> figureSentences(const ResultTable& table);
 
 }  // namespace cullscope::han_hong

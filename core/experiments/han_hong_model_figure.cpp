@@ -58,13 +58,14 @@ public:
                             {kMargin, m_bottom}, m_look.style);
         addLegendBelow(entries, 0.0);
         const SphericalPoint point = sphericalPoint(m_point);
+        const spherical::MapSnapshot map = shownMap(decidedOn(wholeView()));
         m_data.addRow({{"view", 1.0},
-                       {"object", 0.0},
+                       {"object", double(map.decision.instance)},
                        {"kind", std::string("point")},
                        {"r", point.radius},
                        {"theta", point.theta * 180.0 / kPi},
                        {"phi", point.phi * 180.0 / kPi}});
-        addCellRows(m_data, *shownMap(decidedOn(wholeView())).maps);
+        addCellRows(m_data, map.decision.instance, *map.maps);
         return finish();
     }
 

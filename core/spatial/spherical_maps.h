@@ -18,9 +18,8 @@ struct MapFrame {
 
 /// What the maps keep of the distances R. Both answer alike.
 enum class MapStorage {
-    /// Of a triangle R of its centroid, of a cell the nearest and the farthest R of the surface in it. An entry of the index map
-    /// is
-    /// a triangle's number.
+    /// Of a triangle R of its centroid, of a cell the nearest and the farthest R of the surface in it; of an entry of the index
+    /// map a triangle's number alone.
     Cells,
     /// As Table 1 of the paper: of a triangle R, θ, φ and its number (4 × 4 bytes), of an entry of the index map its number and R
     /// of its centroid (2 × 4 bytes, in the cells that it touches; the paper's formula has them in all), of a cell its start, its
