@@ -16,7 +16,7 @@ struct MapFrame {
     Mat3 meshFromMap{1.0};  ///< a rotation: its third column is the polar axis, θ = 0, its first one φ = 0
 };
 
-/// What the maps keep of the distances R. Both answer alike.
+/// What the maps keep of the distances R. A ray's hit is at the same distance with both.
 enum class MapStorage {
     /// Of a triangle R of its centroid, of a cell the nearest and the farthest R of the surface in it; of an entry of the index
     /// map a triangle's number alone.

@@ -109,7 +109,8 @@ TEST(SphericalSearch, findsWhatEmbreeFinds) {
             const std::optional<TriangleHit> expected = tracer.first(ray), found = searchTriangle(maps, ray);
             const std::optional<TriangleHit> byEntries = searchTriangle(entries, ray);
             ASSERT_EQ(found.has_value(), byEntries.has_value()) << mesh->name() << ", ray " << i;
-            if (found) ASSERT_EQ(found->triangle, byEntries->triangle) << mesh->name() << ", ray " << i;
+            // Of two triangles that are hit at one distance either may be told: that of the cell in which one was tested first.
+            if (found) ASSERT_EQ(found->t, byEntries->t) << mesh->name() << ", ray " << i;
             ++all;
             hits += expected ? 1 : 0;
             if (!expected && !found) continue;
