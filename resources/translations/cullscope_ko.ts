@@ -7656,7 +7656,7 @@
         <translation>전부 파이프라인으로 보냄</translation>
     </message>
     <message>
-        <source>cells along a corner ray</source>
+        <source>cells along a ray</source>
         <translation>모서리 광선이 지나는 셀</translation>
     </message>
     <message>

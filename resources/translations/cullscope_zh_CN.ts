@@ -7656,7 +7656,7 @@
         <translation>全部送入管线</translation>
     </message>
     <message>
-        <source>cells along a corner ray</source>
+        <source>cells along a ray</source>
         <translation>角光线经过的单元格</translation>
     </message>
     <message>

@@ -117,7 +117,7 @@ std::vector<MapLegendEntry> regionLegend() {
             {MapSymbol::Box, {CULLSCOPE_TR("box of the region")}},
             {MapSymbol::Hit, {CULLSCOPE_TR("corner: hit")}},
             {MapSymbol::Miss, {CULLSCOPE_TR("corner: miss, nearest point")}},
-            {MapSymbol::Walked, {CULLSCOPE_TR("cells along a corner ray")}}};
+            {MapSymbol::Walked, {CULLSCOPE_TR("cells along a ray")}}};
 }
 
 std::vector<MapLegendEntry> bandLegend(double step) {
