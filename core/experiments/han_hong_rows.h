@@ -16,6 +16,8 @@ inline constexpr const char* kField = "field_degrees";
 
 /// That the paper counts no lost pixels.
 [[nodiscard]] Message lossNote();
+/// How many faces the paper's bunny has, and that of the tables; other scenes go without this note.
+[[nodiscard]] Message facesNote();
 
 /// The rows of runs, with the faces considered and those in the frustum, the cases found, and the corner rays that hit.
 [[nodiscard]] Rows sphericalRows(const Setting& setting, const MeasureResult& result);

@@ -55,11 +55,6 @@ Message pathsNote() {
     return note(CULLSCOPE_TR("The built-in paths case-1 to case-3 have the paper's number of faces in the frustum instead."));
 }
 
-Message facesNote() {
-    return note(
-        CULLSCOPE_TR("The paper's text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the "
-                     "bunny that is installed."));
-}
 Message baselineNote() {
     return note(
         CULLSCOPE_TR("The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the "

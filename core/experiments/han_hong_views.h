@@ -47,9 +47,9 @@ inline constexpr double kNearTheShare = 0.05;
 /// Twelve views of a case with this vertical field of view at 4 : 3, each from slightly another direction, with the target (the
 /// surface's middle, the bounding sphere's centre, or between both) and the distance at which the case is the stated one and the
 /// considered faces are nearest to the case's share of the object's, and of these with the most corner rays that hit. Where a
-/// direction has no view of the case near that share, up to twelve random views that are take the place of all
-/// (han_hong_random_views.h). Where there are none either, such a direction has the nearest view, maybe of another case; the rows
-/// of the path show it. The scene must not be empty.
+/// direction has no view of the case near that share, or their mean is beyond 5 % of it, up to twelve random views that are take
+/// the place of all (han_hong_random_views.h). Where there are none either, such a direction has the nearest view, maybe of
+/// another case; the rows of the path show it. The scene must not be empty.
 [[nodiscard]] CameraPath viewsOfCase(const Scene& scene, const TableCase& wanted, Angle field);
 
 /// A path through views with one field of view, whose depth range holds those of all; without views it has no poses.

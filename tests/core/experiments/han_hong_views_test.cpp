@@ -119,6 +119,21 @@ TEST(HanHongViews, whereTheCasesOwnDirectionsHaveNoSuchViewRandomOnesTakeTheirPl
         EXPECT_EQ(considered.in(View(path.camera(pose), {320, 240})).caseNumber, wanted.number) << pose;
 }
 
+TEST(HanHongViews, meanIsNearThePapersShareOfACoarseMeshToo) {
+    const ScenePointer scene = sceneOf({torusMesh(5'000)});
+    const ConsideredFaces considered(*scene);
+    for (const han_hong::TableCase& wanted : tableCases()) {
+        const Angle field = Angle::fromDegrees(10.0);
+        ASSERT_FALSE(han_hong::randomViewsOfCase(*scene, considered, wanted, field, han_hong::kRandomViews, 1).empty());
+        const CameraPath path = han_hong::viewsOfCase(*scene, wanted, field);
+        double faces = 0.0;
+        for (size_t pose = 0; pose < path.poses.size(); ++pose)
+            faces += double(considered.in(View(path.camera(pose), {320, 240})).faces);
+        EXPECT_NEAR(faces / double(path.poses.size()) / (wanted.share * double(scene->triangleCount())), 1.0, 0.05)
+            << wanted.number;
+    }
+}
+
 TEST(HanHongViews, experimentsTakeAnotherScene) {
     for (const char* id : {"table-1", "table-2", "table-3", "table-4", "table-5", "table-1-layouts", "table-2-views",
                            "spherical-readings", "spherical-domain"}) {
@@ -127,6 +142,7 @@ TEST(HanHongViews, experimentsTakeAnotherScene) {
         const Experiment own = experiment.ofScene("torus:triangles=2000");
         for (const Setting& setting : own.settings) EXPECT_EQ(setting.scene, "torus:triangles=2000");
         for (const ResultColumn& column : own.columns) EXPECT_NE(column.origin, ResultColumn::Origin::Stated) << column.key;
+        for (const Message& note : own.notes) EXPECT_EQ(note.text.find("144,046"), std::string::npos) << id << ": " << note.text;
     }
 }
 
