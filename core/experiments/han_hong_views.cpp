@@ -10,7 +10,9 @@
 #include "core/base/message.h"
 #include "core/experiments/han_hong_random_views.h"
 #include "core/experiments/han_hong_rows.h"
+#include "core/visibility/spherical/mapped_scene.h"
 #include "core/visibility/spherical/visible_region.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope::han_hong {
 namespace {
@@ -119,17 +121,19 @@ private:
 
 struct ConsideredFaces::Impl {
     explicit Impl(const Scene& ofScene)
-        : scene(ofScene), maps(ofScene.meshes()[ofScene.instances().front().mesh], SphericalGrid()) {}
+        : scene(ofScene),
+          maps(spherical::makeMaps(ofScene.meshes()[ofScene.instances().front().mesh], strategyFromText("spherical").parameters,
+                                   {})) {}
 
     const Scene& scene;
-    SphericalMaps maps;
+    SphericalMapsPointer maps;  ///< those of the strategy: of a coarse mesh they have fewer cells than the paper's
 };
 
 ConsideredFaces::ConsideredFaces(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
 ConsideredFaces::~ConsideredFaces() = default;
 
 Considered ConsideredFaces::in(const View& view) const {
-    const SphericalMaps& maps = m_impl->maps;
+    const SphericalMaps& maps = *m_impl->maps;
     const spherical::ObjectSpaceView seen = spherical::objectSpaceView(m_impl->scene, 0, maps.sphere(), view);
     Considered result;
     if (seen.relation != spherical::SphereRelation::Cut) return result;
