@@ -20,10 +20,10 @@ View randomView(const Sphere& around, Angle field, Random& random) {
 
 }  // namespace
 
-std::vector<RandomView> randomViews(const Scene& scene, const ConsideredFaces& considered, Angle field, size_t tries, size_t most,
-                                    const std::function<bool(const Considered& found)>& wanted) {
+std::vector<FoundView> randomViews(const Scene& scene, const ConsideredFaces& considered, Angle field, size_t tries, size_t most,
+                                   const std::function<bool(const Considered& found)>& wanted) {
     Random random(kSeed);
-    std::vector<RandomView> views;
+    std::vector<FoundView> views;
     for (size_t i = 0; i < tries && views.size() < most; ++i) {
         const View view = randomView(scene.boundingSphere(), field, random);
         const Considered found = considered.in(view);
@@ -32,12 +32,11 @@ std::vector<RandomView> randomViews(const Scene& scene, const ConsideredFaces& c
     return views;
 }
 
-std::vector<RandomView> randomViewsOfCase(const Scene& scene, const ConsideredFaces& considered, const TableCase& wanted,
-                                          Angle field, size_t tries, size_t most) {
+std::vector<FoundView> randomViewsOfCase(const Scene& scene, const ConsideredFaces& considered, const TableCase& wanted,
+                                         Angle field, size_t tries, size_t most) {
     const double faces = wanted.share * double(scene.meshOf(0).triangleCount());
-    return randomViews(scene, considered, field, tries, most, [&](const Considered& found) {
-        return found.caseNumber == wanted.number && std::abs(double(found.faces) / faces - 1.0) <= kNearTheShare;
-    });
+    return randomViews(scene, considered, field, tries, most,
+                       [&](const Considered& found) { return isNear(found, wanted, faces, kNearTheShare); });
 }
 
 }  // namespace cullscope::han_hong

@@ -55,8 +55,8 @@ CameraPath viewsNearTheEdge(const Scene& scene) {
 CameraPath viewsWithSomeHits(const Scene& scene) {
     const Angle field = Angle::fromDegrees(45.0);
     std::vector<View> views;
-    for (const RandomView& each : randomViews(scene, ConsideredFaces(scene), field, kRandomViews, 12,
-                                              [](const Considered& found) { return found.hits >= 1 && found.hits <= 3; }))
+    for (const FoundView& each : randomViews(scene, ConsideredFaces(scene), field, kRandomViews, 12,
+                                             [](const Considered& found) { return found.hits >= 1 && found.hits <= 3; }))
         views.push_back(each.view);
     return pathThrough(views, field, "some-rays-hit");
 }

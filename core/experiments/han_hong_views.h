@@ -44,6 +44,21 @@ inline constexpr size_t kRandomViews = 20'000;
 /// Considered faces within this share of the wanted number count as the paper's.
 inline constexpr double kNearTheShare = 0.05;
 
+/// Whether what a view considers is of the case, and within a share of that many faces.
+[[nodiscard]] bool isNear(const Considered& found, const TableCase& wanted, double faces, double within);
+
+/// A view and what is found in it.
+struct FoundView {
+    View view;
+    Considered found;
+};
+
+/// From each of the twelve directions of a case the view, of its targets and distances, in which the case is the stated one and
+/// the considered faces are nearest to its share of the object's, and of those within 2 % the one with the most corner rays that
+/// hit; where the case occurs at no distance, a view of another. The scene must not be empty.
+[[nodiscard]] std::vector<FoundView> nearestViews(const Scene& scene, const ConsideredFaces& considered, const TableCase& wanted,
+                                                  Angle field);
+
 /// Twelve views of a case with this vertical field of view at 4 : 3, each from slightly another direction, with the target (the
 /// surface's middle, the bounding sphere's centre, or between both) and the distance at which the case is the stated one and the
 /// considered faces are nearest to the case's share of the object's, and of these with the most corner rays that hit. Where a

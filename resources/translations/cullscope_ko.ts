@@ -7620,10 +7620,6 @@
         <translation>찾지 못함</translation>
     </message>
     <message>
-        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most; and of 20,000 random views (the eye 1.05 to 4 radii away, any target within the bounding sphere, any roll) those of the case whose faces are within 5 % of the paper&apos;s. Where the paper&apos;s share lies between both, or a random view has it, the case has such views.</source>
-        <translation>그 경우가 나타나는 곳에서 spherical이 고려하는 면의 비율을, 반지름의 1.02배에서 12배까지 48개 거리, 세 목표점, 그 경우의 방향 둘레 열두 방향에 걸쳐 최소와 최대로 나타냅니다. 또한 무작위 시점 20,000개(눈은 반지름의 1.05배에서 4배 거리, 목표점은 경계구 안 어디나, 기울기는 임의) 가운데 면의 수가 논문의 5 % 안인 것을 셉니다. 논문의 비율이 그 사이에 있거나 그런 무작위 시점이 있으면 그런 시점이 있습니다.</translation>
-    </message>
-    <message>
         <source>such random views, of 20,000</source>
         <translation>그런 무작위 시점, 20,000개 중</translation>
     </message>
@@ -7714,6 +7710,14 @@
     <message>
         <source>Near half, and what no larger S hides: ranges of the memory access map</source>
         <translation>가까운 쪽 절반과 더 큰 S가 가리지 않는 부분: 메모리 접근 맵의 구간</translation>
+    </message>
+    <message>
+        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most; the faces of the nearest view that a search between these distances finds; and of 20,000 random views (the eye 1.05 to 4 radii away, any target within the bounding sphere, any roll) those of the case whose faces are within 5 % of the paper&apos;s. Where the nearest view is within 5 %, or a random one, the case has such views: cells go in steps, so a share between least and most may be that of no view.</source>
+        <translation>그 경우가 나타나는 곳에서 spherical이 고려하는 면의 비율을, 반지름의 1.02배에서 12배까지 48개 거리, 세 목표점, 그 경우의 방향 둘레 열두 방향에 걸쳐 최소와 최대로 나타냅니다. 그 거리 사이를 탐색해 찾은 가장 가까운 시점의 면 수도 보이고, 무작위 시점 20,000개(눈은 반지름의 1.05배에서 4배 거리, 목표점은 경계구 안 어디나, 기울기는 임의) 가운데 면의 수가 논문의 5 % 안인 것을 셉니다. 가장 가까운 시점이나 무작위 시점 하나가 5 % 안이면 그런 시점이 있습니다. 칸은 계단처럼 늘어나므로 최소와 최대 사이의 비율이라도 어느 시점의 것도 아닐 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>faces of the nearest view</source>
+        <translation>가장 가까운 시점의 면 수</translation>
     </message>
 </context>
 <context>

@@ -7620,10 +7620,6 @@
         <translation>未找到</translation>
     </message>
     <message>
-        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most; and of 20,000 random views (the eye 1.05 to 4 radii away, any target within the bounding sphere, any roll) those of the case whose faces are within 5 % of the paper&apos;s. Where the paper&apos;s share lies between both, or a random view has it, the case has such views.</source>
-        <translation>在出现该情况之处 spherical 所考虑的面的占比，遍及 1.02 至 12 倍半径的 48 个距离、三个目标点和该情况方向周围的十二个方向：最小值与最大值；以及 20,000 个随机视图（视点距离为 1.05 至 4 倍半径，目标点在包围球内任意处，任意滚转）中面数与论文相差 5 % 以内者。论文的占比在两者之间，或有随机视图达到时，该情况存在这样的视图。</translation>
-    </message>
-    <message>
         <source>such random views, of 20,000</source>
         <translation>这样的随机视图，共 20,000 个</translation>
     </message>
@@ -7714,6 +7710,14 @@
     <message>
         <source>Near half, and what no larger S hides: ranges of the memory access map</source>
         <translation>近侧一半以及未被更大的 S 遮挡的部分：内存访问图的区间</translation>
+    </message>
+    <message>
+        <source>The share of the faces that spherical considers where the case occurs, over 48 distances of 1.02 to 12 radii, three targets and twelve directions around the case&apos;s own: the least and the most; the faces of the nearest view that a search between these distances finds; and of 20,000 random views (the eye 1.05 to 4 radii away, any target within the bounding sphere, any roll) those of the case whose faces are within 5 % of the paper&apos;s. Where the nearest view is within 5 %, or a random one, the case has such views: cells go in steps, so a share between least and most may be that of no view.</source>
+        <translation>在出现该情况之处 spherical 所考虑的面的占比，遍及 1.02 至 12 倍半径的 48 个距离、三个目标点和该情况方向周围的十二个方向：最小值与最大值；在这些距离之间搜索到的最接近视图的面数；以及 20,000 个随机视图（视点距离为 1.05 至 4 倍半径，目标点在包围球内任意处，任意滚转）中面数与论文相差 5 % 以内者。最接近的视图或某个随机视图在 5 % 以内时，该情况存在这样的视图：单元格是逐级增减的，因此介于最小与最大之间的占比也可能不属于任何视图。</translation>
+    </message>
+    <message>
+        <source>faces of the nearest view</source>
+        <translation>最接近视图的面数</translation>
     </message>
 </context>
 <context>

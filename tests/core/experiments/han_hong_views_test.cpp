@@ -91,16 +91,36 @@ TEST(HanHongViews, tableOfViewsSaysWhereACaseExists) {
     const ResultTable table = runExperiment(experiment, {});
     ASSERT_EQ(table.rows.size(), 3u * 6u);
     for (size_t row = 0; row < table.rows.size(); ++row) {
-        const auto share = [&](const char* column) {
+        const auto number = [&](const char* column) {
             const CellValue& value = valueOf(table, row, column);
             return std::holds_alternative<double>(value) ? std::optional(std::get<double>(value)) : std::nullopt;
         };
-        const std::optional<double> least = share("least_share"), most = share("most_share"), wanted = share("wanted_share");
+        const std::optional<double> nearest = number("nearest_faces"), wanted = number("wanted_faces");
         ASSERT_TRUE(wanted);
-        EXPECT_EQ(least.has_value(), most.has_value());
-        const bool within = least && *least <= *wanted && *wanted <= *most, random = share("random_views").value() > 0.0;
-        EXPECT_EQ(std::get<std::string>(valueOf(table, row, "exists")), within || random ? "yes" : "none found") << row;
+        EXPECT_EQ(number("least_share").has_value(), number("most_share").has_value());
+        EXPECT_EQ(number("least_share").has_value(), nearest.has_value()) << row;
+        const bool near = nearest && std::abs(*nearest / *wanted - 1.0) <= han_hong::kNearTheShare;
+        const bool random = number("random_views").value() > 0.0;
+        EXPECT_EQ(std::get<std::string>(valueOf(table, row, "exists")), near || random ? "yes" : "none found") << row;
     }
+}
+
+TEST(HanHongViews, shareBetweenLeastAndMostIsNotYetThatOfAView) {
+    // Of so coarse a mesh a region's cells go in steps: case 1 considers a 20th to a third of the faces, but 10 % in no view.
+    Experiment experiment = han_hong::tableViews(0);
+    experiment.settings.front().scene = "torus:triangles=5000";
+    const ResultTable table = runExperiment(experiment, {});
+    const auto number = [&](size_t row, const char* column) { return std::get<double>(valueOf(table, row, column)); };
+    size_t steps = 0;
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        if (std::get<std::string>(valueOf(table, row, "exists")) == "yes") continue;
+        if (std::holds_alternative<std::monostate>(valueOf(table, row, "least_share"))) continue;
+        const double wanted = number(row, "wanted_share");
+        if (number(row, "least_share") > wanted || wanted > number(row, "most_share")) continue;
+        ++steps;
+        EXPECT_GT(std::abs(number(row, "nearest_faces") / number(row, "wanted_faces") - 1.0), han_hong::kNearTheShare) << row;
+    }
+    EXPECT_GE(steps, 1u);
 }
 
 TEST(HanHongViews, whereTheCasesOwnDirectionsHaveNoSuchViewRandomOnesTakeTheirPlace) {
@@ -109,12 +129,10 @@ TEST(HanHongViews, whereTheCasesOwnDirectionsHaveNoSuchViewRandomOnesTakeTheirPl
     const han_hong::TableCase& wanted = tableCases()[0];
     const Angle field = Angle::fromDegrees(65.0);
     const double faces = wanted.share * double(scene->triangleCount());
-    const auto near = [&](const Considered& found) {
-        return found.caseNumber == wanted.number && std::abs(double(found.faces) / faces - 1.0) <= han_hong::kNearTheShare;
-    };
     const auto random = han_hong::randomViewsOfCase(*scene, considered, wanted, field, han_hong::kRandomViews, 12);
     ASSERT_FALSE(random.empty());
-    for (const han_hong::RandomView& each : random) EXPECT_TRUE(near(considered.in(each.view)));
+    for (const han_hong::FoundView& each : random)
+        EXPECT_TRUE(han_hong::isNear(considered.in(each.view), wanted, faces, han_hong::kNearTheShare));
     const CameraPath path = han_hong::viewsOfCase(*scene, wanted, field);
     for (size_t pose = 0; pose < path.poses.size(); ++pose)
         EXPECT_EQ(considered.in(View(path.camera(pose), {320, 240})).caseNumber, wanted.number) << pose;
