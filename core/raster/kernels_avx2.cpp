@@ -2,6 +2,7 @@
 
 #include "core/raster/depth_buffer_kernel.h"
 #include "core/raster/occlusion_kernel.h"
+#include "core/raster/occlusion_setup_kernel.h"
 #include "core/raster/projection_kernel.h"
 #include "core/raster/shading_kernel.h"
 
@@ -45,6 +46,10 @@ void projectAvx2(const RasterProjection& projection, const float* positions, siz
 void shadeAvx2(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx2Lanes>(shading, block); }
 
 void markShownAvx2(const uint32_t* items, size_t count, uint8_t* fates) { markShownItems<Avx2Lanes>(items, count, fates); }
+
+size_t setUpOccludersAvx2(const OccluderSetup& setup, OccluderTriangle* triangles) {
+    return setUpOccluders<Avx2Lanes>(setup, triangles);
+}
 
 void drawOccludersAvx2(const OccluderTriangle* triangles, size_t count, const OcclusionTiles& tiles) {
     drawAllOccluders(triangles, count, tiles);

@@ -6,6 +6,7 @@
 
 #include "core/raster/depth_buffer_kernel.h"
 #include "core/raster/occlusion_kernel.h"
+#include "core/raster/occlusion_setup_kernel.h"
 #include "core/raster/projection_kernel.h"
 #include "core/raster/shading_kernel.h"
 
@@ -89,6 +90,10 @@ void projectAvx512(const RasterProjection& projection, const float* positions, s
 void shadeAvx512(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx512Lanes>(shading, block); }
 
 void markShownAvx512(const uint32_t* items, size_t count, uint8_t* fates) { markShownItems<Avx512Lanes>(items, count, fates); }
+
+size_t setUpOccludersAvx512(const OccluderSetup& setup, OccluderTriangle* triangles) {
+    return setUpOccluders<Avx512Lanes>(setup, triangles);
+}
 
 void drawOccludersAvx512(const OccluderTriangle* triangles, size_t count, const OcclusionTiles& tiles) {
     drawAllOccluders(triangles, count, tiles);

@@ -1,5 +1,6 @@
 #include "core/raster/depth_buffer_kernel.h"
 #include "core/raster/occlusion_kernel.h"
+#include "core/raster/occlusion_setup_kernel.h"
 #include "core/raster/projection_kernel.h"
 #include "core/raster/shading_kernel.h"
 
@@ -60,6 +61,10 @@ void shadePortable(const Shading& shading, const ShadedBlock& block) { shadeBloc
 
 void markShownPortable(const uint32_t* items, size_t count, uint8_t* fates) {
     markShownItems<PortableLanes>(items, count, fates);
+}
+
+size_t setUpOccludersPortable(const OccluderSetup& setup, OccluderTriangle* triangles) {
+    return setUpOccluders<PortableLanes>(setup, triangles);
 }
 
 void drawOccludersPortable(const OccluderTriangle* triangles, size_t count, const OcclusionTiles& tiles) {

@@ -12,55 +12,6 @@ namespace {
 /// Beyond every depth: of pixels that lie beyond the picture.
 constexpr float kBeyondPicture = 2.0f;
 
-/// Makes a triangle an occluder; none where it is narrower than a pixel, or its plane is none.
-///
-/// The rounding of its depths: a plane is computed from three corners by products and one division, and evaluated from the lower
-/// left pixel. Each step rounds by 2^-24 of its terms, which are at most |depth| + |perColumn| · width + |perRow| · height; the
-/// division's dividend is a difference of products up to the square of the longest edge, so that its relative rounding is
-/// multiplied by that square over the area. Four such roundings are subtracted.
-std::optional<OccluderTriangle> occluderOf(const ScreenTriangle& triangle, const Viewport& size) {
-    constexpr double kPixel = 1.0 / kSubPixels;
-    double longest = 0.0;  // squared, pixels
-    for (int i = 0; i < 3; ++i) {
-        const int next = i == 2 ? 0 : i + 1;
-        const double dx = kPixel * (triangle.x[next] - triangle.x[i]), dy = kPixel * (triangle.y[next] - triangle.y[i]);
-        longest = std::max(longest, dx * dx + dy * dy);
-    }
-    const double twiceArea = kPixel * kPixel *
-                             (double(triangle.x[1] - triangle.x[0]) * (triangle.y[2] - triangle.y[0]) -
-                              double(triangle.x[2] - triangle.x[0]) * (triangle.y[1] - triangle.y[0]));
-    // The height over the longest edge is the least width.
-    if (!(twiceArea * twiceArea >= longest)) return std::nullopt;
-    const double perColumn = triangle.depthPerColumn, perRow = triangle.depthPerRow;
-    const double terms = std::abs(double(triangle.depth)) + std::abs(perColumn) * size.width + std::abs(perRow) * size.height;
-    const double rounding = 0x1p-22 * terms * (1.0 + 2.0 * longest / twiceArea);
-    const double depth = triangle.depth - rounding;
-    double farthest = INFINITY, nearest = -INFINITY;
-    for (int i = 0; i < 3; ++i) {
-        const double ofCorner = depth + kPixel * (triangle.x[i] * perColumn + triangle.y[i] * perRow);
-        farthest = std::min(farthest, ofCorner);
-        nearest = std::max(nearest, ofCorner);
-    }
-    // The pixels' centres lie within the rounded corners, the plane's corners up to 1/256 pixel elsewhere.
-    const double elsewhere = kPixel * (std::abs(perColumn) + std::abs(perRow)) + rounding;
-    farthest -= elsewhere;
-    nearest += elsewhere;
-    if (!std::isfinite(farthest)) return std::nullopt;
-    OccluderTriangle result{};
-    std::ranges::copy(triangle.x, result.x);
-    std::ranges::copy(triangle.y, result.y);
-    result.firstColumn = triangle.firstColumn;
-    result.endColumn = triangle.endColumn;
-    result.firstRow = triangle.firstRow;
-    result.endRow = triangle.endRow;
-    result.depth = float(depth);
-    result.perColumn = triangle.depthPerColumn;
-    result.perRow = triangle.depthPerRow;
-    result.nearest = float(nearest);
-    result.farthest = float(farthest);
-    return result;
-}
-
 int32_t tilesAlong(int32_t pixels, int32_t ofTile) { return (pixels + ofTile - 1) / ofTile; }
 
 /// The pixels of a block that lie in a rectangle given from the block's lower left pixel.
@@ -107,7 +58,7 @@ void OcclusionBuffer::draw(const Scene& scene, uint32_t instance, Facing facing,
     const Viewport& size = m_view->viewport();
     const Projection projection(*m_view, scene, instance);
     const RasterFacing sides(scene, instance, facing);
-    m_vertices.resize(std::max(m_vertices.size(), positions.size()));
+    m_vertices.resize(positions.size());
     kernelFor<ProjectionKernel>(m_simd, CULLSCOPE_VARIANTS(project))(projection.forKernels(), &positions.front().x,
                                                                      positions.size(), m_vertices.data());
     m_places.resize(std::max(m_places.size(), count + 8));
@@ -116,41 +67,47 @@ void OcclusionBuffer::draw(const Scene& scene, uint32_t instance, Facing facing,
         {m_vertices.data(), indices.data(), count, size.width, size.height, 1 << 14, Beyond::Unprojectable, sides.front,
          sides.mirrored},
         m_places.data());
-    m_triangles.clear();
+    m_onRaster.resize(std::max(m_onRaster.size(), 3 * (count + kMostPieces)));
+    size_t end = 0;
     for (size_t i = 0; i < count; ++i) {
         const uint32_t* corners = &indices[3 * i];
         switch (m_places[i] % (1u << kFirstBandShift)) {
             case kPlacedSmall:
-            case kPlacedLarge: {
-                const RasterCorners places(m_vertices[corners[0]], m_vertices[corners[1]], m_vertices[corners[2]]);
-                const int64_t area = places.twiceArea();
-                if (area == 0 || sides.drops(area)) break;
-                if (const std::optional<ScreenTriangle> triangle = screenTriangle(places, area, 1, size)) add(*triangle);
+            case kPlacedLarge:
+                std::copy_n(corners, 3, &m_onRaster[end]);
+                end += 3;
                 break;
-            }
             case kPlacedBeyond: {
-                m_pieces.clear();
                 const auto clip = [&](size_t corner) { return projection.clip(positions[corners[corner]]); };
-                addClipped(projection, {clip(0), clip(1), clip(2)}, sides, 1, size, m_pieces);
-                for (const ScreenTriangle& piece : m_pieces) add(piece);
+                end = addPieces(clippedCorners(projection, {clip(0), clip(1), clip(2)}), end);
+                m_onRaster.resize(std::max(m_onRaster.size(), end + 3 * (count - i + kMostPieces)));
                 break;
             }
             default:
                 break;
         }
     }
-    if (m_triangles.empty()) return;
+    m_triangles.resize(std::max(m_triangles.size(), end / 3));
+    const size_t drawn = kernelFor<OccluderSetupKernel>(m_simd, CULLSCOPE_VARIANTS(setUpOccluders))(
+        {m_vertices.data(), m_onRaster.data(), end / 3, size.width, size.height, sides.front, sides.mirrored},
+        m_triangles.data());
+    if (drawn == 0) return;
     if (!m_cleared) clear();
-    m_counts.drawn += m_triangles.size();
+    m_counts.drawn += drawn;
     kernelFor<OccluderKernel>(m_simd, CULLSCOPE_VARIANTS(drawOccluders))(
-        m_triangles.data(), m_triangles.size(),
+        m_triangles.data(), drawn,
         {m_form == OcclusionForm::Depth ? m_depths.data() : nullptr, m_farthest.data(),
          m_form == OcclusionForm::Masked ? m_masked.data() : nullptr, m_tilesInRow, size.width, size.height});
 }
 
-void OcclusionBuffer::add(const ScreenTriangle& triangle) {
-    if (const std::optional<OccluderTriangle> occluder = occluderOf(triangle, m_view->viewport()))
-        m_triangles.push_back(*occluder);
+/// The pieces of a clipped triangle have vertices of their own, after those of the mesh. Their corners are stored from `end`;
+/// returns where they end.
+size_t OcclusionBuffer::addPieces(const ClippedCorners& clipped, size_t end) {
+    const auto first = uint32_t(m_vertices.size());
+    m_vertices.insert(m_vertices.end(), clipped.corners.begin(), clipped.corners.begin() + ptrdiff_t(clipped.count));
+    for (uint32_t i = 2; i < clipped.count; ++i)
+        for (const uint32_t corner : {first + i - 1, first + i, first}) m_onRaster[end++] = corner;
+    return end;
 }
 
 std::optional<BoxInPicture> OcclusionBuffer::place(const EyeBox& grown, double towardsEye) const {

@@ -14,6 +14,8 @@
 
 namespace cullscope {
 
+struct ClippedCorners;
+
 /// How an occlusion buffer keeps depths.
 enum class OcclusionForm {
     Depth,  ///< of every pixel
@@ -90,7 +92,7 @@ private:
     }
     [[nodiscard]] float depthAt(int32_t column, int32_t row) const;
     void clear();
-    void add(const ScreenTriangle& triangle);
+    [[nodiscard]] size_t addPieces(const ClippedCorners& clipped, size_t end);
 
     OcclusionForm m_form;
     RasterSimd m_simd;
@@ -104,7 +106,7 @@ private:
     // While triangles are drawn.
     std::vector<RasterVertex> m_vertices;
     std::vector<uint32_t> m_places;
-    std::vector<ScreenTriangle> m_pieces;
+    std::vector<uint32_t> m_onRaster;  ///< three indices of each triangle that may be an occluder, and room for more
     std::vector<OccluderTriangle> m_triangles;
 };
 

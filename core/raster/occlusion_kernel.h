@@ -9,7 +9,6 @@
 namespace cullscope {
 namespace {
 
-using EightDoubles = double __attribute__((vector_size(64)));
 using Bytes = uint8_t __attribute__((vector_size(32)));
 
 inline constexpr EightDoubles kRowsOfTile{0, 1, 2, 3, 4, 5, 6, 7};
@@ -126,9 +125,9 @@ inline void setUpBlocks(const OccluderTriangle& triangle, BlockDepths& depths) {
     depths.offset = kBlockColumn * triangle.perColumn + kBlockRow * triangle.perRow + least;
 }
 
-/// Merges a triangle's pixels into a tile. What the masked depths cover grows, and they move back to the farther of both; where
-/// that would lose more than forgetting the masked pixels does, these are forgotten. A full mask becomes the depth of the whole
-/// block.
+/// Merges a triangle's pixels into a tile. Where these and the masked pixels make up a whole block, the farther of both depths is
+/// the block's from now on, and the nearer one keeps its own pixels. Until then what the mask covers grows, and its depth moves
+/// back to the farther of both; where that would lose more than forgetting the masked pixels does, these are forgotten.
 inline void drawOn(const OccluderTriangle& triangle, const BlockDepths& depths, const Numbers& rows, int32_t column, int32_t row,
                    const Numbers& beyond, MaskedTile& tile) {
     Floats whole, part;
@@ -144,15 +143,17 @@ inline void drawOn(const OccluderTriangle& triangle, const BlockDepths& depths, 
     const Ints adds = ((bits & ~mask) != 0) | (depth > part);
     const Ints drawn = (bits != 0) & (depth > whole) & adds;
     bits = drawn ? bits | beyond : Numbers{};
-    // The triangle lies farther before the masked pixels than these before the whole block; or it needs none of them.
-    const Ints forget = drawn & ((depth - part > part - whole) | (bits == 0xFFFFFFFFu));
-    const Floats nearer = part < depth ? part : depth;
+    const Numbers all = Numbers{} + 0xFFFFFFFFu, either = mask | bits;
     // Without a masked pixel there is no depth that counts.
-    part = drawn ? ((forget | (mask == 0)) ? depth : nearer) : part;
-    mask = forget ? bits : mask | bits;
-    const Ints full = mask == 0xFFFFFFFFu;
-    whole = full ? part : whole;
-    mask = full ? Numbers{} : mask;
+    const Ints alone = mask == 0, nearer = alone | (depth > part);
+    const Ints full = drawn & (either == all), byItself = full & nearer & (bits == all);
+    whole = full ? ((nearer & ~byItself) ? part : depth) : whole;
+    // The triangle lies farther before the masked pixels than these before the whole block.
+    const Ints forget = drawn & (depth - part > part - whole);
+    const Ints replaces = drawn & (full ? nearer : (alone | forget)), merges = drawn & ~full & ~replaces;
+    part = replaces ? depth : ((merges & ~nearer) ? depth : part);
+    mask = replaces ? bits : (merges ? either : mask);
+    mask = byItself ? Numbers{} : mask;
     store<Floats>(tile.whole, whole);
     store<Floats>(tile.part, part);
     store<Numbers>(tile.mask, mask);
@@ -186,26 +187,42 @@ inline bool mayShowInRow(const OccluderTriangle& triangle, const MaskedTile* row
     return false;
 }
 
+/// The columns from the first to before the last one in which rows have pixels. Empty rows count neither as the first nor as the
+/// last one.
+inline void columnsOf(const OccluderTriangle& triangle, const OccluderSpans& spans, int32_t& least, int32_t& most) {
+    const Ints some = spans.begin < spans.end;
+    Ints begin = some ? spans.begin : Ints{} + triangle.endColumn, end = some ? spans.end : Ints{} + triangle.firstColumn;
+    const auto halve = [&](const Ints& otherBegin, const Ints& otherEnd) {
+        begin = otherBegin < begin ? otherBegin : begin;
+        end = otherEnd > end ? otherEnd : end;
+    };
+    halve(__builtin_shufflevector(begin, begin, 4, 5, 6, 7, 0, 1, 2, 3),
+          __builtin_shufflevector(end, end, 4, 5, 6, 7, 0, 1, 2, 3));
+    halve(__builtin_shufflevector(begin, begin, 2, 3, 0, 1, 2, 3, 0, 1),
+          __builtin_shufflevector(end, end, 2, 3, 0, 1, 2, 3, 0, 1));
+    halve(__builtin_shufflevector(begin, begin, 1, 0, 1, 0, 1, 0, 1, 0),
+          __builtin_shufflevector(end, end, 1, 0, 1, 0, 1, 0, 1, 0));
+    least = begin[0];
+    most = end[0];
+}
+
 inline void drawOccluder(const OccluderTriangle& triangle, const OcclusionTiles& tiles) {
     OccluderEdge edges[3];
-    setUpEdges(triangle, edges);
     BlockDepths depths;
-    setUpBlocks(triangle, depths);
+    bool ready = false;
     for (int32_t row = triangle.firstRow & -kOcclusionRows; row < triangle.endRow; row += kOcclusionRows) {
         const size_t firstTile = size_t(row / kOcclusionRows) * size_t(tiles.tilesInRow);
         if (tiles.masked != nullptr && !mayShowInRow(triangle, tiles.masked + firstTile)) continue;
+        // A third of the triangles lie behind the whole of all blocks that they reach.
+        if (!ready) {
+            setUpEdges(triangle, edges);
+            setUpBlocks(triangle, depths);
+            ready = true;
+        }
         OccluderSpans spans;
         spansOf(triangle, edges, row, spans);
-        // Empty rows count neither as the first nor as the last column.
-        const Ints some = spans.begin < spans.end;
-        int32_t begins[kOcclusionRows], ends[kOcclusionRows];
-        store<Ints>(begins, some ? spans.begin : Ints{} + triangle.endColumn);
-        store<Ints>(ends, some ? spans.end : Ints{} + triangle.firstColumn);
-        int32_t least = begins[0], most = ends[0];
-        for (int32_t i = 1; i < kOcclusionRows; ++i) {
-            least = begins[i] < least ? begins[i] : least;
-            most = ends[i] > most ? ends[i] : most;
-        }
+        int32_t least = 0, most = 0;
+        columnsOf(triangle, spans, least, most);
         for (int32_t column = least & -kOcclusionColumns; column < most; column += kOcclusionColumns) {
             const size_t tile = firstTile + size_t(column / kOcclusionColumns);
             if (tiles.masked != nullptr && !mayShow(triangle, tiles.masked[tile])) continue;

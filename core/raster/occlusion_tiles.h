@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/raster/screen_triangle.h"
+
 // The interface between the occlusion buffer and its kernels, which are compiled for other instruction sets than the rest of the
 // library. No inline function may be defined or included here (screen_triangle.h says why).
 
@@ -36,6 +38,20 @@ struct OccluderTriangle {
     /// No pixel of the triangle in the buffer is nearer, or farther.
     float nearest, farthest;
 };
+
+/// What makes triangles occluders: by corners that lie on the raster, three indices each.
+struct OccluderSetup {
+    const RasterVertex* vertices;
+    const uint32_t* indices;
+    size_t count;
+    int32_t width, height;  ///< of the picture
+    bool front, mirrored;   ///< as RasterFacing
+};
+/// Those of the triangles that have an area, face as the rule wants, have a pixel's centre in their box, are at least a pixel
+/// wide and have a plane, in their order; returns how many. There is room for all.
+using OccluderSetupKernel = size_t(const OccluderSetup& setup, OccluderTriangle* triangles);
+
+OccluderSetupKernel setUpOccludersPortable, setUpOccludersAvx2, setUpOccludersAvx512;
 
 /// The tiles of a picture, a row of them after the other, from the bottom. One of the two arrays is null.
 struct OcclusionTiles {

@@ -90,11 +90,14 @@ void placeTriangles(const RasterPlacing& placing, uint32_t* places) {
     int32_t bandShift = 0;
     while (1 << bandShift < placing.bandRows) ++bandShift;
     for (size_t first = 0; first < placing.count; first += 8) {
+        // Counted from the first of the eight: a mesh may have more triangles than 16 bits count. The last ones are placed
+        // several times.
         uint16_t of[8];
-        // The last ones are placed several times.
-        for (size_t i = 0; i < 8; ++i) of[i] = uint16_t(first + i < placing.count ? first + i : placing.count - 1);
+        for (size_t i = 0; i < 8; ++i) of[i] = uint16_t(first + i < placing.count ? i : placing.count - 1 - first);
+        RasterPlacing eight = placing;
+        eight.indices += 3 * first;
         EightCorners corners[3];
-        for (size_t i = 0; i < 3; ++i) loadCorners(placing, of, i, corners[i]);
+        for (size_t i = 0; i < 3; ++i) loadCorners(eight, of, i, corners[i]);
         Ints beyond[3], x[3], y[3];
         for (int i = 0; i < 3; ++i) load(beyond[i], &corners[i].beyond);
         const Ints any = beyond[0] | beyond[1] | beyond[2], all = beyond[0] & beyond[1] & beyond[2];

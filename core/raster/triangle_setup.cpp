@@ -148,8 +148,7 @@ RasterFacing::RasterFacing(const Scene& scene, size_t instance, Facing facing)
     : front(dropsBacks(scene, instance, facing)),
       mirrored(glm::determinant(Mat3(scene.instances()[instance].worldFromMesh)) < 0.0) {}
 
-RasterFate addClipped(const Projection& projection, const std::array<Clip, 3>& corners, const RasterFacing& facing,
-                      uint32_t number, const Viewport& size, std::vector<ScreenTriangle>& triangles) {
+ClippedCorners clippedCorners(const Projection& projection, const std::array<Clip, 3>& corners) {
     ClipPolygon polygon;
     uint32_t beyond = 0;
     for (const Clip& corner : corners) {
@@ -158,13 +157,20 @@ RasterFate addClipped(const Projection& projection, const std::array<Clip, 3>& c
     }
     for (int plane = 0; plane < Beyond::kPlanes && polygon.count >= 3; ++plane)
         if ((beyond & 1u << plane) != 0) polygon = clippedAt(plane, polygon);
-    const auto vertex = [&](size_t i) {
-        const ClipPolygon::Corner& corner = polygon.corners[i];
-        return corner.made ? projection.clippedVertex(corner.clip) : projection.vertex(corner.clip);
-    };
+    ClippedCorners result;
+    for (; result.count < polygon.count; ++result.count) {
+        const ClipPolygon::Corner& corner = polygon.corners[result.count];
+        result.corners[result.count] = corner.made ? projection.clippedVertex(corner.clip) : projection.vertex(corner.clip);
+    }
+    return result;
+}
+
+RasterFate addClipped(const Projection& projection, const std::array<Clip, 3>& corners, const RasterFacing& facing,
+                      uint32_t number, const Viewport& size, std::vector<ScreenTriangle>& triangles) {
+    const ClippedCorners clipped = clippedCorners(projection, corners);
     RasterFate fate = RasterFate::WithoutSample;
-    for (size_t i = 2; i < polygon.count; ++i) {
-        const RasterCorners piece(vertex(i - 1), vertex(i), vertex(0));
+    for (size_t i = 2; i < clipped.count; ++i) {
+        const RasterCorners piece(clipped.corners[i - 1], clipped.corners[i], clipped.corners[0]);
         const int64_t area = piece.twiceArea();
         if (area == 0) continue;
         if (facing.drops(area)) {

@@ -93,8 +93,15 @@ struct RasterFacing {
 /// The triangles of a clipped triangle are at most so many.
 inline constexpr size_t kMostPieces = 13;
 
-/// Appends the pieces of a triangle that are left where it is clipped at those of the frustum's planes beyond which a corner
-/// lies. Its corners are given in clip space.
+/// The corners of what is left of a triangle where it is clipped at those of the frustum's planes beyond which a corner lies;
+/// less than three where nothing is. Its pieces are the triangles of corners i - 1, i and 0, for i from 2.
+struct ClippedCorners {
+    std::array<RasterVertex, kMostPieces + 2> corners;
+    size_t count = 0;
+};
+[[nodiscard]] ClippedCorners clippedCorners(const Projection& projection, const std::array<Clip, 3>& corners);
+
+/// Appends the pieces of a triangle that are left where it is clipped (clippedCorners). Its corners are given in clip space.
 RasterFate addClipped(const Projection& projection, const std::array<Clip, 3>& corners, const RasterFacing& facing,
                       uint32_t number, const Viewport& size, std::vector<ScreenTriangle>& triangles);
 

@@ -15,6 +15,7 @@ using Floats = float __attribute__((vector_size(32)));
 using Ints = int32_t __attribute__((vector_size(32)));
 using Numbers = uint32_t __attribute__((vector_size(32)));
 using Doubles = double __attribute__((vector_size(32)));
+using EightDoubles = double __attribute__((vector_size(64)));
 using HalfFloats = float __attribute__((vector_size(16)));
 using HalfNumbers = uint32_t __attribute__((vector_size(16)));
 using HalfInts = int32_t __attribute__((vector_size(16)));

@@ -209,6 +209,49 @@ TEST(OcclusionBuffer, placesABoxWithThePixelsAroundIt) {
     EXPECT_NEAR(buffer.place(boxFrom({-0.1, -0.2, -2}, {0.1, 0.2, -1}), 0.5)->depth, kStandard.depthFromDistance(0.5), 1e-5);
 }
 
+TEST(OcclusionBuffer, blockThatIsFullKeepsTheNearerPixelsDepth) {
+    // The edge of a near wall ends in the middle of the blocks of columns 48 to 55. The far one makes them full, but for those
+    // that its diagonal crosses.
+    const ScenePointer scene = sceneOf({squareMesh(2, -2), squareMesh(4, -4)}, {translation({-1.96, 0, 0}), Mat4(1.0)});
+    OcclusionBuffer masked(OcclusionForm::Masked);
+    drawAll(masked, *scene, kStandard);
+    const std::vector<float> depths = masked.depths();
+    const auto between = float(kStandard.depthFromDistance(3.0));
+    size_t near = 0, behindEdge = 0;
+    for (size_t row = 0; row < 100; ++row) {
+        near += depths[100 * row + 49] > between ? 1 : 0;
+        behindEdge += depths[100 * row + 54] > between ? 1 : 0;
+        EXPECT_GT(depths[100 * row + 54], 0.0f) << row;
+    }
+    EXPECT_GE(near, 90u);
+    EXPECT_EQ(behindEdge, 0u);
+}
+
+TEST(OcclusionBuffer, trianglesOfAMeshAreEachPlacedWhereTheyLieHoweverManyThereAre) {
+    // 66,000 small triangles ahead; after them large ones, some across the eye.
+    Random random(31);
+    std::vector<Vec3f> corners;
+    const auto add = [&](const Vec3& middle, double size) {
+        for (int corner = 0; corner < 3; ++corner) corners.emplace_back(middle + size * random.direction());
+    };
+    constexpr size_t kFirst = 66'000;
+    for (size_t i = 0; i < kFirst; ++i) add({random.between(-4, 4), random.between(-4, 4), -5}, 0.3);
+    for (size_t i = 0; i < 200; ++i) add(random.direction() * random.between(0, 4), 3.0);
+    std::vector<uint32_t> indices(corners.size());
+    std::iota(indices.begin(), indices.end(), 0u);
+    const ScenePointer scene = sceneOf({meshOf(corners, indices)});
+    const TriangleMesh& mesh = scene->meshOf(0);
+    for (const OcclusionForm form : kForms) {
+        OcclusionBuffer atOnce(form), inParts(form);
+        drawAll(atOnce, *scene, kStandard);
+        inParts.begin(kStandard);
+        for (const auto part : {std::span(mesh.indices()).first(3 * kFirst), std::span(mesh.indices()).subspan(3 * kFirst)})
+            inParts.draw(*scene, 0, Facing::TwoSided, mesh.positions(), part);
+        EXPECT_EQ(atOnce.counts(), inParts.counts());
+        EXPECT_EQ(atOnce.depths(), inParts.depths());
+    }
+}
+
 TEST(OcclusionBuffer, maskedOneHas96BytesFor256Pixels) {
     const ScenePointer wall = sceneOf({squareMesh(2, -3)});
     const View view(kStandard.camera(), {1920, 1080});
