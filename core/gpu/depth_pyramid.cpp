@@ -12,10 +12,11 @@ namespace cullscope {
 namespace {
 
 // As depth_pyramid.comp and box_pyramid.comp declare them.
-enum ReduceUniform : GLint { kBelowSize = 0, kBelowStart = 1, kStart = 2 };
+enum ReduceUniform : GLint { kBelowSize = 0, kStart = 1, kLevels = 2, kBelowStart = 3 };
 enum TestUniform : GLint { kClipFromEye = 0, kSize = 4, kBoxCount = 5 };
 enum Binding : GLuint { kPyramid = 0, kBoxes = 1, kShows = 2, kReadings = 3, kBindings = 4 };
 constexpr unsigned kTileOfTexels = 8;  // on each side
+constexpr int kLevelsAtOnce = 3;
 constexpr unsigned kGroupOfBoxes = 64;
 
 struct BoxOnGpu {
@@ -139,7 +140,9 @@ std::vector<PyramidReading> PyramidTicket::read(const AnswerBuffers& pool) const
 }
 
 DepthPyramid::DepthPyramid()
-    : m_reduce(Program::compute(embedded::depth_pyramid_comp)), m_test(Program::compute(embedded::box_pyramid_comp)) {}
+    : m_reducePicture(Program::compute(embedded::depth_pyramid_comp, "#define BELOW_IS_THE_PICTURE\n")),
+      m_reduceLevels(Program::compute(embedded::depth_pyramid_comp)),
+      m_test(Program::compute(embedded::box_pyramid_comp)) {}
 
 DepthPyramid::~DepthPyramid() {
     if (m_buffer != 0) glDeleteBuffers(1, &m_buffer);
@@ -152,20 +155,27 @@ void DepthPyramid::reduce(const Framebuffer& picture) {
         glNamedBufferStorage(m_buffer, static_cast<GLsizeiptr>(bytes), nullptr, 0);
         m_bytes = bytes;
     }
-    const ComputeState state(m_reduce, picture);
+    const ComputeState state(m_reducePicture, picture);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kPyramid, m_buffer);
     Viewport below = picture.size();
     int belowStart = -1, start = 0;
+    const auto halved = [](const Viewport& size) { return Viewport{(size.width + 1) / 2, (size.height + 1) / 2}; };
     while (below.width > 1 || below.height > 1) {
-        const Viewport level{(below.width + 1) / 2, (below.height + 1) / 2};
         glUniform2i(kBelowSize, below.width, below.height);
-        glUniform1i(kBelowStart, belowStart);
         glUniform1i(kStart, start);
-        glDispatchCompute(groupsFor(size_t(level.width), kTileOfTexels), groupsFor(size_t(level.height), kTileOfTexels), 1);
+        if (belowStart >= 0) glUniform1i(kBelowStart, belowStart);
+        int levels = 0;
+        for (; levels < kLevelsAtOnce && (below.width > 1 || below.height > 1); ++levels) {
+            below = halved(below);
+            belowStart = start;
+            start += below.width * below.height;
+        }
+        glUniform1i(kLevels, levels);
+        Viewport last = below;
+        for (int missing = levels; missing < kLevelsAtOnce; ++missing) last = halved(last);
+        glDispatchCompute(groupsFor(size_t(last.width), kTileOfTexels), groupsFor(size_t(last.height), kTileOfTexels), 1);
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-        belowStart = start;
-        start += level.width * level.height;
-        below = level;
+        glUseProgram(m_reduceLevels.id());
     }
 }
 

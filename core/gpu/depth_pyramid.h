@@ -69,14 +69,14 @@ public:
     DepthPyramid(const DepthPyramid&) = delete;
     DepthPyramid& operator=(const DepthPyramid&) = delete;
 
-    /// Reduces the depth of a picture, level by level.
+    /// Reduces the depth of a picture, three levels at a time.
     void reduce(const Framebuffer& picture);
     /// Tests boxes against it; `picture` is the one that was reduced last.
     void test(const View& view, std::span<const EyeBox> boxes, std::span<const uint32_t> ends, const Framebuffer& picture,
               const PyramidTicket& ticket);
 
 private:
-    Program m_reduce, m_test;
+    Program m_reducePicture, m_reduceLevels, m_test;
     unsigned m_buffer = 0;  ///< the levels from 1 on, one after the other, row by row
     uint64_t m_bytes = 0;
 };

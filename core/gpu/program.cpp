@@ -28,7 +28,11 @@ Program::Program(std::string_view vertexSource, std::string_view geometrySource,
           return shaders;
       }()) {}
 
-Program Program::compute(std::string_view source) { return Program(std::vector{compiled(GL_COMPUTE_SHADER, source)}); }
+Program Program::compute(std::string_view source, std::string_view defines) {
+    std::string text(source);
+    text.insert(text.find('\n') + 1, defines);
+    return Program(std::vector{compiled(GL_COMPUTE_SHADER, text)});
+}
 
 Program::Program(const std::vector<unsigned>& shaders) : m_program(glCreateProgram()) {
     for (const unsigned shader : shaders) glAttachShader(m_program, shader);
