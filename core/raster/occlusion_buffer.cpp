@@ -153,19 +153,39 @@ std::optional<BoxInPicture> OcclusionBuffer::place(const EyeBox& grown, double t
     return box;
 }
 
-bool OcclusionBuffer::hides(const BoxInPicture& box) {
-    if (empty()) return false;
-    return m_form == OcclusionForm::Depth ? depthHides(box) : maskedHides(box);
+/// The farthest depth of a tile's pixels, which is kept until a triangle is drawn there.
+float OcclusionBuffer::farthestOf(size_t tile) {
+    float& farthest = m_farthest[tile];
+    if (farthest == kUnknownFarthest) farthest = *std::ranges::min_element(m_depths[tile].depth);
+    return farthest;
 }
 
-bool OcclusionBuffer::depthHides(const BoxInPicture& box) {
+void OcclusionBuffer::settle() {
+    if (m_form != OcclusionForm::Depth || empty()) return;
+    for (size_t tile = 0; tile < m_farthest.size(); ++tile) farthestOf(tile);
+}
+
+bool OcclusionBuffer::hides(const BoxInPicture& box) {
+    if (empty()) return false;
+    if (m_form == OcclusionForm::Masked) return maskedHides(box);
+    return depthHides(box, [this](size_t tile) { return farthestOf(tile); });
+}
+
+bool OcclusionBuffer::hides(const BoxInPicture& box) const {
+    if (empty()) return false;
+    if (m_form == OcclusionForm::Masked) return maskedHides(box);
+    // Of a tile that nothing is known of every pixel is looked at.
+    return depthHides(box, [this](size_t tile) { return m_farthest[tile]; });
+}
+
+template <typename FarthestInTile>
+bool OcclusionBuffer::depthHides(const BoxInPicture& box, const FarthestInTile& farthest) const {
+    static_assert(kUnknownFarthest < 0.0f, "no box lies behind it");
     for (int32_t row = box.firstRow & -kOcclusionRows; row < box.endRow; row += kOcclusionRows)
         for (int32_t column = box.firstColumn & -kOcclusionColumns; column < box.endColumn; column += kOcclusionColumns) {
             const size_t number = tileAt(column, row);
+            if (farthest(number) > box.depth) continue;
             const DepthTile& tile = m_depths[number];
-            float& farthest = m_farthest[number];
-            if (farthest == kUnknownFarthest) farthest = *std::ranges::min_element(tile.depth);
-            if (farthest > box.depth) continue;
             const int32_t firstRow = std::max(box.firstRow - row, 0), endRow = std::min(box.endRow - row, kOcclusionRows);
             const int32_t first = std::max(box.firstColumn - column, 0),
                           end = std::min(box.endColumn - column, kOcclusionColumns);

@@ -52,7 +52,7 @@ struct OccluderCounts {
 /// its terms, which grows as the triangle gets narrow (occlusion_buffer.cpp); triangles narrower than a pixel are left out. A
 /// masked block moves back only (occlusion_kernel.h).
 ///
-/// Memory is kept from view to view. Not for several threads at once.
+/// Memory is kept from view to view. Not for several threads at once, but for questions.
 class OcclusionBuffer {
 public:
     /// `simd` changes nothing in the buffer.
@@ -73,8 +73,12 @@ public:
     /// plane: such a box is never hidden. `box` has grown by what the rounding of a picture displaces
     /// (visibility/eye_bounds.h, boxRounding); `towardsEye`: by how much what it holds may seem nearer besides.
     [[nodiscard]] std::optional<BoxInPicture> place(const EyeBox& box, double towardsEye) const;
-    /// Whether occluders lie before all of it.
+    /// Whether occluders lie before all of it. By one thread at a time: it keeps what it finds out about tiles.
     [[nodiscard]] bool hides(const BoxInPicture& box);
+    /// The same; several threads may ask while nothing is drawn. Faster after settle().
+    [[nodiscard]] bool hides(const BoxInPicture& box) const;
+    /// Finds out about all tiles what questions need to know.
+    void settle();
     /// The farthest reversed depth of the buffer where the box lies: the box is hidden where it is above the box's own.
     [[nodiscard]] float farthestIn(const BoxInPicture& box) const;
 
@@ -85,7 +89,9 @@ public:
     [[nodiscard]] uint64_t bytes() const;
 
 private:
-    [[nodiscard]] bool depthHides(const BoxInPicture& box);
+    template <typename FarthestInTile>
+    [[nodiscard]] bool depthHides(const BoxInPicture& box, const FarthestInTile& farthest) const;
+    float farthestOf(size_t tile);
     [[nodiscard]] bool maskedHides(const BoxInPicture& box) const;
     [[nodiscard]] size_t tileAt(int32_t column, int32_t row) const {
         return size_t(row / kOcclusionRows) * size_t(m_tilesInRow) + size_t(column / kOcclusionColumns);

@@ -2472,10 +2472,6 @@
         <translation>남은 검사나 부분이 없거나 틈이면: 그림</translation>
     </message>
     <message>
-        <source>else walk(each part)</source>
-        <translation>아니면 순회(각 부분)</translation>
-    </message>
-    <message>
         <source>Bands</source>
         <translation>띠</translation>
     </message>
@@ -6720,10 +6716,6 @@
         <translation>아니면 뒤의 것을 가림</translation>
     </message>
     <message>
-        <source>each object left: walk(clusters)</source>
-        <translation>남은 물체마다: 순회(클러스터)</translation>
-    </message>
-    <message>
         <source>box hidden: leave it out</source>
         <translation>상자가 가려짐: 제외</translation>
     </message>
@@ -7718,6 +7710,14 @@
     <message>
         <source>faces of the nearest view</source>
         <translation>가장 가까운 시점의 면 수</translation>
+    </message>
+    <message>
+        <source>walk(each object); if open, its parts</source>
+        <translation>순회(물체마다), 안 정해지면 부분마다</translation>
+    </message>
+    <message>
+        <source>Whether triangles that hold no pixel centre or face away are left out of the drawn clusters one by one (where the picture has few pixels for each; not with occlusion=hiz).</source>
+        <translation>그리는 클러스터에서 픽셀 중심이 없거나 등을 돌린 삼각형을 하나씩 제외할지 여부(그림에 삼각형마다 픽셀이 적을 때; occlusion=hiz에서는 아님).</translation>
     </message>
 </context>
 <context>

@@ -2472,10 +2472,6 @@
         <translation>无待定测试、无部分或小间隙：绘制</translation>
     </message>
     <message>
-        <source>else walk(each part)</source>
-        <translation>否则遍历(各部分)</translation>
-    </message>
-    <message>
         <source>Bands</source>
         <translation>环带</translation>
     </message>
@@ -6720,10 +6716,6 @@
         <translation>否则它遮挡后面的</translation>
     </message>
     <message>
-        <source>each object left: walk(clusters)</source>
-        <translation>余下的每个物体：遍历(簇)</translation>
-    </message>
-    <message>
         <source>box hidden: leave it out</source>
         <translation>盒被遮挡：剔除</translation>
     </message>
@@ -7718,6 +7710,14 @@
     <message>
         <source>faces of the nearest view</source>
         <translation>最接近视图的面数</translation>
+    </message>
+    <message>
+        <source>walk(each object); if open, its parts</source>
+        <translation>遍历(每个物体)，未定则遍历各部分</translation>
+    </message>
+    <message>
+        <source>Whether triangles that hold no pixel centre or face away are left out of the drawn clusters one by one (where the picture has few pixels for each; not with occlusion=hiz).</source>
+        <translation>是否从绘制的簇中逐个剔除不含像素中心或背向的三角形（当图像中每个三角形的像素很少时；occlusion=hiz 时不做）。</translation>
     </message>
 </context>
 <context>

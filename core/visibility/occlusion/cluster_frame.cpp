@@ -9,6 +9,7 @@
 #include "core/base/message.h"
 #include "core/visibility/object_record.h"
 #include "core/visibility/part_walk.h"
+#include "core/visibility/single_triangles.h"
 
 namespace cullscope::occlusion {
 namespace {
@@ -38,8 +39,9 @@ struct WalkedObject {
     uint32_t instance = 0;
     bool whole = false;  ///< drawn completely, without a walk
     PartWalk walk;
-    std::vector<uint32_t> leaves{};        ///< that are tested against a pyramid
-    std::optional<ObjectRecord> record{};  ///< only while the frame is recorded
+    std::vector<uint32_t> leaves{};                    ///< that are tested against a pyramid
+    std::optional<SampledTriangles::Found> sampled{};  ///< among the walk's runs, where triangles are tested
+    std::optional<ObjectRecord> record{};              ///< only while the frame is recorded
 };
 
 constexpr TwoPassLines kPassLines{.first = uint8_t(ClusterLine::Draw),
@@ -52,13 +54,10 @@ constexpr TwoPassLines kPassLines{.first = uint8_t(ClusterLine::Draw),
 /// Near clusters first, as many rounds as two: what comes into sight hides the rest (docs/methods/occlusion.md).
 constexpr size_t kRoundsOfClusters = 2;
 
-/// The cause for which most of the culled triangles were culled.
-Cause mainCause(const PartWalk& walk) { return Cause(std::ranges::max_element(walk.culled) - walk.culled.begin()); }
-
 class ClusterFrame {
 public:
     ClusterFrame(FrameContext& frame, const ClusterScene& structure, const ClusterOptions& options)
-        : m_frame(frame), m_structure(structure), m_options(options) {}
+        : m_frame(frame), m_structure(structure), m_options(options), m_cover(frame.view()) {}
 
     void run(ClusterMemory& memory) {
         const std::vector<KeptObject> kept = m_options.occlusion ? keepUnhidden(memory) : keep(memory);
@@ -68,8 +67,7 @@ public:
         {
             const StageTimer stage(m_frame, CULLSCOPE_TR("clusters"));
             const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i]); };
-            // One thread at a time asks the buffer.
-            if (kept.size() < kObjectsForThreads || m_buffer != nullptr)
+            if (kept.size() < kObjectsForThreads)
                 for (size_t i = 0; i < kept.size(); ++i) decideOne(i);
             else
                 tbb::parallel_for(size_t{0}, kept.size(), decideOne);
@@ -81,7 +79,8 @@ public:
                 {CULLSCOPE_TR("planes of the frustum"), kept.size(), counters().culledTriangles[size_t(Cause::OutsideFrustum)]},
                 {CULLSCOPE_TR("normal cones"), 0, 0},
                 {CULLSCOPE_TR("occluders"), m_buffer != nullptr ? kept.size() : 0,
-                 counters().culledTriangles[size_t(Cause::Hidden)]}};
+                 counters().culledTriangles[size_t(Cause::Hidden)]},
+                {CULLSCOPE_TR("triangles one by one"), 0, 0}};
             if (m_frame.recording()) m_frame.countPlacesIn(m_structure.clusters.order);
             for (const WalkedObject& object : decided) {
                 submit(object, list);
@@ -124,6 +123,7 @@ private:
                               {"questions", double(counted.questions)}};
         if (memory.buffer->empty()) return kept;
         counters().workBytes = memory.buffer->bytes();
+        memory.buffer->settle();
         m_buffer = &*memory.buffer;
         return kept;
     }
@@ -142,7 +142,7 @@ private:
         // The planes were tested with the object's own bounds; of a single cluster nothing else is left.
         const SurfaceNode& root = tree.nodes().front();
         const bool nothing = m_options.pyramid ? false : root.leaf() ? !cones || !root.hasCone() : object.planes == 0 && !cones;
-        if (nothing && m_buffer == nullptr) {
+        if (nothing && m_buffer == nullptr && !m_options.samples) {
             result.whole = true;
             if (result.record)
                 result.record->say(
@@ -156,8 +156,14 @@ private:
         PartTests tests{object.planes, cones, hiding ? &*hiding : nullptr, kPartLines};
         if (m_options.pyramid) tests.leaves = &result.leaves;
         result.walk = walkParts(SurfaceNodes(tree.nodes()), seen, tests, result.record ? &*result.record : nullptr);
-        if (result.record && !m_options.pyramid) sayEnd(result.walk, tree.mesh().triangleCount(), *result.record);
+        if (m_options.samples && !m_options.pyramid)
+            result.sampled = leaveOutTriangles(m_frame, m_cover, object.instance, cornersOf(object.instance), result.walk.drawn);
+        if (result.record && !m_options.pyramid) sayEnd(result, tree.mesh().triangleCount(), *result.record);
         return result;
+    }
+
+    [[nodiscard]] const CornerBlocks& cornersOf(uint32_t instance) const {
+        return m_structure.corners[scene().instances()[instance].mesh];
     }
 
     /// Draws the clusters that no test has left out, but for those that are hidden by the others.
@@ -213,17 +219,22 @@ private:
         }
     }
 
-    static void sayEnd(const PartWalk& walk, uint64_t triangles, ObjectRecord& record) { sayEnd(walk, 0, triangles, record); }
+    static void sayEnd(const WalkedObject& object, uint64_t triangles, ObjectRecord& record) {
+        if (!object.sampled) return sayEnd(object.walk, 0, triangles, record);
+        sayLeftOut(*object.sampled, object.walk.drawn, uint8_t(ClusterLine::Triangles), record);
+        PartWalk walk = object.walk;
+        walk.drawn = object.sampled->kept;
+        addLeftOut(*object.sampled, walk.culled);
+        sayEnd(walk, 0, triangles, record);
+    }
     /// What became of an object of so many triangles, of which `hidden` are left out besides.
     static void sayEnd(PartWalk walk, uint64_t hidden, uint64_t triangles, ObjectRecord& record) {
         walk.culled[size_t(Cause::Hidden)] += hidden;
-        uint64_t drawn = 0;
-        for (const PlaceRun& run : walk.drawn) drawn += run.count;
-        drawn -= hidden;
+        const uint64_t drawn = triangleCount(walk.drawn) - hidden;
         const auto outcome = drawn == triangles ? Decision::Outcome::Drawn
                              : drawn > 0        ? Decision::Outcome::PartlyDrawn
                                                 : Decision::Outcome::Culled;
-        record.say(atLine(ClusterLine::Objects, ending(record.subject(), outcome, mainCause(walk))));
+        record.say(atLine(ClusterLine::Objects, ending(record.subject(), outcome, mainCause(walk.culled))));
     }
 
     void submit(const WalkedObject& object, DrawList& list) {
@@ -232,9 +243,15 @@ private:
             return;
         }
         const PartWalk& walk = object.walk;
-        for (const PlaceRun& run : walk.drawn) list.ranges.push_back({object.instance, 3 * run.first, 3 * run.count});
+        for (const PlaceRun& run : object.sampled ? object.sampled->kept : walk.drawn)
+            list.ranges.push_back({object.instance, 3 * run.first, 3 * run.count});
         for (size_t cause = 0; cause < kCauseCount; ++cause) counters().culledTriangles[cause] += walk.culled[cause];
         std::vector<CullPart>& parts = counters().parts;
+        if (object.sampled) {
+            addLeftOut(*object.sampled, counters().culledTriangles);
+            ++parts[3].objects;
+            parts[3].culledTriangles += object.sampled->facingAway + object.sampled->withoutSample;
+        }
         parts[0].culledTriangles += walk.culled[size_t(Cause::OutsideFrustum)];
         parts[1].culledTriangles += walk.culled[size_t(Cause::BackFacing)];
         parts[1].objects += walk.cones ? 1 : 0;
@@ -246,8 +263,9 @@ private:
     FrameContext& m_frame;
     const ClusterScene& m_structure;
     ClusterOptions m_options;
-    OcclusionBuffer* m_buffer = nullptr;  ///< null: nothing hides
-    bool m_tests = false;                 ///< whether a record holds tests
+    PixelCover m_cover;
+    const OcclusionBuffer* m_buffer = nullptr;  ///< null: nothing hides
+    bool m_tests = false;                       ///< whether a record holds tests
 };
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 namespace cullscope::occlusion {
 
-/// Whether a buffer hides a part of one instance. Keeps references. The buffer is asked by one thread at a time.
+/// Whether a buffer hides a part of one instance. Keeps references.
 class BufferHiding final : public HidingTest {
 public:
-    BufferHiding(OcclusionBuffer& buffer, const View& view, const EyeFromLocal& object)
+    BufferHiding(const OcclusionBuffer& buffer, const View& view, const EyeFromLocal& object)
         : HidingTest(0), m_buffer(buffer), m_view(view), m_object(object) {
         for (int column = 0; column < 3; ++column) m_spread[column] = glm::abs(object.linear[column]);
     }
@@ -17,7 +17,7 @@ public:
     [[nodiscard]] Reach test(const Vec3& middle, const Vec3& half, Decision* said) const override;
 
 private:
-    OcclusionBuffer& m_buffer;
+    const OcclusionBuffer& m_buffer;
     const View& m_view;
     const EyeFromLocal& m_object;
     Mat3 m_spread{0.0};  ///< its entries' sizes: of a level box in the world around a box that is level in the mesh

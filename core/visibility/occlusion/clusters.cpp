@@ -12,6 +12,7 @@ namespace cullscope::occlusion {
 namespace {
 
 constexpr const char* kCones = "cones";
+constexpr const char* kSamples = "samples";
 constexpr const char* kOcclusion = "occlusion";
 constexpr const char* kDepth = "depth";
 constexpr const char* kMasked = "masked";
@@ -47,15 +48,19 @@ protected:
     void fill(ClusterScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
         const Scene& scene = structure.scene();
         structure.clusters = SceneClusters(scene, uint32_t(parameters.integer(kClusterSize)), progress.part(0.0, 0.9));
+        if (parameters.boolean(kSamples)) structure.corners = cornersOf(scene, structure.clusters);
         structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
         structure.occluders = Occluders(scene, progress);
         structure.parts = PartBoxes(scene, progress);
-        structure.report.bytes =
-            structure.clusters.bytes() + structure.octree.bytes() + structure.occluders.bytes() + structure.parts.bytes();
+        uint64_t cornerBytes = 0;
+        for (const CornerBlocks& corners : structure.corners) cornerBytes += corners.bytes();
+        structure.report.bytes = structure.clusters.bytes() + cornerBytes + structure.octree.bytes() +
+                                 structure.occluders.bytes() + structure.parts.bytes();
         structure.report.figures = structure.clusters.figures();
         structure.report.figures.insert(structure.report.figures.begin(), {{"objects", double(scene.instances().size())},
                                                                            {"groups", double(structure.octree.nodes().size())}});
         structure.report.figures.push_back({"cluster bytes", double(structure.clusters.bytes())});
+        structure.report.figures.push_back({"corner bytes", double(cornerBytes)});
         structure.report.figures.push_back({"octree bytes", double(structure.octree.bytes())});
         structure.report.figures.push_back({"occluder bytes", double(structure.occluders.bytes() + structure.parts.bytes())});
     }
@@ -68,6 +73,7 @@ protected:
         if (occlusion == kDepth) options.occlusion = OcclusionForm::Depth;
         if (occlusion == kMasked) options.occlusion = OcclusionForm::Masked;
         options.pyramid = occlusion == kPyramid;
+        options.samples = parameters.boolean(kSamples);
         drawClusters(frame, structure, memory, options);
     }
 
@@ -85,6 +91,17 @@ protected:
     }
 
 private:
+    /// The corners of triangles as their tests read them; of small meshes, which are not cut, in the mesh's order.
+    static std::vector<CornerBlocks> cornersOf(const Scene& scene, const SceneClusters& clusters) {
+        std::vector<CornerBlocks> corners(scene.meshes().size());
+        for (size_t i = 0; i < corners.size(); ++i) {
+            if (!clusters.meshes[i]) continue;
+            const std::span<const uint32_t> inOrder = clusters.meshes[i]->indices();
+            corners[i] = CornerBlocks(*scene.meshes()[i], inOrder.empty() ? scene.meshes()[i]->indices() : inOrder);
+        }
+        return corners;
+    }
+
     /// The box of a node, which is level in its mesh and may be turned in the world.
     static void addNodeBox(OverlayLines& boxes, const ClusterScene& structure, const Subject& subject, const Vec3f& colour) {
         const Scene& scene = structure.scene();
@@ -122,12 +139,12 @@ Show clusterListing() {
                         {CULLSCOPE_TR("outside: leave it all out"), 1},
                         {CULLSCOPE_TR("hidden by nearer ones: leave it out"), 1},
                         {CULLSCOPE_TR("else it occludes those behind it"), 1},
-                        {CULLSCOPE_TR("each object left: walk(clusters)"), 0},
+                        {CULLSCOPE_TR("walk(each object); if open, its parts"), 0},
                         {CULLSCOPE_TR("box outside: leave it out"), 1},
                         {CULLSCOPE_TR("faces away: leave it out"), 1},
                         {CULLSCOPE_TR("box hidden: leave it out"), 1},
                         {CULLSCOPE_TR("no test open, leaf, gap: draw"), 1},
-                        {CULLSCOPE_TR("else walk(each part)"), 1}});
+                        {CULLSCOPE_TR("few pixels: triangle by triangle"), 1}});
 }
 
 }  // namespace
@@ -151,6 +168,11 @@ RegisteredStrategy clusters() {
          booleanParameter(kCones, true,
                           CULLSCOPE_TR("Whether clusters whose triangles all face away are left out (where only "
                                        "front sides are drawn).")),
+         readWhenBuilding(booleanParameter(
+             kSamples, true,
+             CULLSCOPE_TR(
+                 "Whether triangles that hold no pixel centre or face away are left out of the drawn clusters one by one "
+                 "(where the picture has few pixels for each; not with occlusion=hiz)."))),
          occluderPixelsParameter(), occluderTrianglesParameter()}};
     info.remembers = true;
     info.sweeps = {{kClusterSize, {"32", "64", "128", "256", "512"}}, occluderPixelsSweep(), occluderTrianglesSweep()};

@@ -1,4 +1,5 @@
 #include "core/visibility/spherical/lossless_culling.h"
+#include "core/visibility/single_triangles.h"
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"

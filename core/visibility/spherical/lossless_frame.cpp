@@ -5,10 +5,9 @@
 #include <optional>
 
 #include "core/base/message.h"
-#include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/octree_walk.h"
-#include "core/visibility/pixel_cover.h"
+#include "core/visibility/single_triangles.h"
 #include "core/visibility/spherical/cell_walk.h"
 #include "core/visibility/spherical/listings.h"
 #include "core/visibility/spherical/recorded_tests.h"
@@ -18,12 +17,6 @@ namespace {
 
 // From this number of objects, a second thread saves time.
 constexpr size_t kObjectsForThreads = 8;
-// Where the picture has more pixels than these for each triangle, few triangles hold no pixel centre.
-constexpr uint64_t kMostPixelsOfTriangle = 4;
-// Triangles are left out one by one where at least this share of them is, those that face away counted half, for OpenGL drops
-// them early: the others are drawn in the order of the cells, have fewer vertices in common, and so cost more each.
-constexpr double kLeastShareLeftOut = 0.25, kWeightOfAway = 0.5;
-
 // Where no plane cuts an object, its cells are tested for what faces away and what is hidden alone. With a smaller share facing
 // away on average, the walk almost always ends in drawing all of it, and in an object of fewer triangles the horizon hides
 // next to nothing, so that both tests would only cost time: 2 to 5 % of a frame.
@@ -35,12 +28,6 @@ constexpr OctreeWalkLines kWalkLines{.groupPlanes = uint8_t(WalkLine::Groups),
                                      .groupInside = uint8_t(WalkLine::Groups),
                                      .objectTests = uint8_t(WalkLine::Groups),
                                      .objectOutside = uint8_t(WalkLine::GroupOutside)};
-
-uint64_t trianglesOf(std::span<const PlaceRun> runs) {
-    uint64_t sum = 0;
-    for (const PlaceRun& run : runs) sum += run.count;
-    return sum;
-}
 
 /// The decision about an object that no group test culled.
 struct WalkedObject {
@@ -55,9 +42,7 @@ struct WalkedObject {
 /// The triangles of a walked object that are not drawn, by cause.
 CulledByCause culledOf(const WalkedObject& object) {
     CulledByCause culled = object.walk.culled;
-    if (!object.sampled) return culled;
-    culled[size_t(Cause::BackFacing)] += object.sampled->facingAway;
-    culled[size_t(Cause::NoSample)] += object.sampled->withoutSample;
+    if (object.sampled) addLeftOut(*object.sampled, culled);
     return culled;
 }
 
@@ -146,7 +131,7 @@ private:
         const std::shared_ptr<WalkDetail> detail = record != nullptr ? begin(mesh, tests, *record) : nullptr;
         result.walk = walkCells(*mesh.tree, seen, tests, record);
         if (detail) detail->nodesVisited = result.walk.nodesVisited;
-        if (m_triangles) leaveOutTriangles(result, mesh);
+        if (m_triangles) result.sampled = leaveOutTriangles(m_frame, m_cover, object.instance, mesh.corners, result.walk.drawn);
         if (record != nullptr) sayEnd(result, mesh, *record);
         return result;
     }
@@ -161,41 +146,10 @@ private:
         return begin;
     }
 
-    /// Of what is drawn the triangles that hold no pixel centre or face away, where the picture has few pixels for each.
-    void leaveOutTriangles(WalkedObject& object, const MeshCells& mesh) const {
-        const uint64_t drawn = trianglesOf(object.walk.drawn);
-        const EyeBox box = relativeToEye(scene().instanceBox(object.instance), m_frame.view().eye());
-        if (m_cover.of(box) > kMostPixelsOfTriangle * drawn) return;
-        const SampledTriangles test(scene(), object.instance, mesh.corners, m_frame.view(), m_frame.facing());
-        if (test.estimatedShare(object.walk.drawn, kWeightOfAway) >= kLeastShareLeftOut)
-            object.sampled = test.among(object.walk.drawn, m_frame.recording());
-    }
-
-    /// Says of each range of drawn cells which of its triangles were left out.
-    static void sayTriangles(const WalkedObject& object, ObjectRecord& record) {
-        auto next = object.sampled->leftOut.begin();
-        for (const PlaceRun& drawn : object.walk.drawn) {
-            auto triangles = std::make_shared<LeftOutTriangles>();
-            while (next != object.sampled->leftOut.end() && next->places.first < drawn.first + drawn.count)
-                triangles->runs.push_back(*next++);
-            Decision test;
-            test.subject = Subject::ofTriangles(drawn.first, object.instance);
-            test.places = drawn;
-            test.nesting = 1;
-            test.sentence =
-                CULLSCOPE_TR("Of these %1 triangles %2 face away and %3 hold no pixel centre: they are left out one by one.");
-            test.operands = {double(drawn.count), double(triangles->count(Cause::BackFacing)),
-                             double(triangles->count(Cause::NoSample))};
-            test.operandCount = 3;
-            record.say(atLine(WalkLine::Triangles, test));
-            record.attach(std::move(triangles));
-        }
-    }
-
     /// Says which triangles of the drawn cells were left out, then what became of the object.
     static void sayEnd(const WalkedObject& object, const MeshCells& mesh, ObjectRecord& record) {
-        if (object.sampled) sayTriangles(object, record);
-        const uint64_t drawn = trianglesOf(object.sampled ? object.sampled->kept : object.walk.drawn);
+        if (object.sampled) sayLeftOut(*object.sampled, object.walk.drawn, uint8_t(WalkLine::Triangles), record);
+        const uint64_t drawn = triangleCount(object.sampled ? object.sampled->kept : object.walk.drawn);
         const auto outcome = drawn == mesh.tree->mesh().triangleCount() ? Decision::Outcome::Drawn
                              : drawn > 0                                ? Decision::Outcome::PartlyDrawn
                                                                         : Decision::Outcome::Culled;

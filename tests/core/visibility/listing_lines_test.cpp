@@ -27,7 +27,6 @@ struct WithoutDecision {
 constexpr WithoutDecision kWithoutDecision[] = {
     // They go on with parts, about which the next decisions are.
     {"frustum-octree", 6},
-    {"clusters", 10},
     // They prepare what later lines compare with, or ask for all objects at once, which is a command.
     {"draw-distance", 1},
     {"depth-buffer", 1},

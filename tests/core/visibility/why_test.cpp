@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/mesh/parametric.h"
+#include "core/visibility/left_out_triangles.h"
 #include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
@@ -212,12 +213,19 @@ TEST(StructureSnapshot, containmentIsWhatWasTestedAndTheRejectingPlaneIsRight) {
     EXPECT_EQ(snapshot.nodes[4].rejectedBy, FrustumPlane::Far);
 }
 
-/// The culled triangles of a frame by cause, as its decisions name them. Of an object whose cells were decided, theirs.
+/// The culled triangles of a frame by cause, as its decisions name them. Of an object whose cells or triangles were decided,
+/// theirs.
 std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& frame) {
     std::vector<uint64_t> missing(scene.instances().size());
     for (size_t i = 0; i < missing.size(); ++i) missing[i] = scene.meshOf(i).triangleCount();
     for (const DrawRange& range : standingFor(frame.drawList, scene).ranges) missing[range.instance] -= range.indexCount / 3;
     std::array<uint64_t, kCauseCount> named{};
+    forEachLeftOut(frame.log, [&](uint32_t instance, const LeftOutTriangles& triangles) {
+        for (const LeftOutTriangles::Run& run : triangles.runs) {
+            named[size_t(run.cause)] += run.places.count;
+            missing[instance] -= run.places.count;
+        }
+    });
     for (const Decision& decision : frame.log.decisions) {
         if (decision.outcome != Decision::Outcome::Culled && decision.outcome != Decision::Outcome::PartlyDrawn) continue;
         const auto name = [&](uint32_t instance, uint64_t triangles) {

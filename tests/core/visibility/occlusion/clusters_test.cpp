@@ -4,10 +4,12 @@
 #include <tbb/global_control.h>
 
 #include "core/scene/eye_triangle.h"
+#include "core/visibility/left_out_triangles.h"
 #include "core/visibility/scene_clusters.h"
 #include "core/visibility/structure_store.h"
 #include "core/visibility/why.h"
 #include "tests/support/culler.h"
+#include "tests/support/gl_environment.h"
 #include "tests/support/lossless_scenes.h"
 
 namespace cullscope::test::clusters_test {
@@ -73,27 +75,59 @@ TEST(Clusters, everyTriangleIsDrawnOrCounted) {
     const ScenePointer scene = rows();
     const CullerPointer strategy = clustersOf(*scene, {});
     Random random(11);
-    uint64_t drawn = 0, culled = 0;
+    uint64_t drawn = 0, culled = 0, oneByOne = 0;
     for (int i = 0; i < 30; ++i) {
         const Culled frame = strategy->cull(around(*scene, random, 60));
         uint64_t left = 0;
         for (const uint64_t count : frame.culledTriangles) left += count;
         EXPECT_EQ(left + frame.consideredTriangles, scene->triangleCount());
         EXPECT_EQ(frame.parts[0].culledTriangles, frame.culledTriangles[size_t(Cause::OutsideFrustum)]);
-        EXPECT_EQ(frame.parts[1].culledTriangles, frame.culledTriangles[size_t(Cause::BackFacing)]);
+        EXPECT_EQ(frame.parts[1].culledTriangles + frame.parts[3].culledTriangles,
+                  frame.culledTriangles[size_t(Cause::BackFacing)] + frame.culledTriangles[size_t(Cause::NoSample)]);
+        oneByOne += frame.parts[3].culledTriangles;
         drawn += frame.consideredTriangles;
         culled += left;
     }
     EXPECT_GT(drawn, scene->triangleCount());
     EXPECT_GT(culled, scene->triangleCount());
+    EXPECT_GT(oneByOne, scene->triangleCount() / 10);
+}
+
+TEST(Clusters, trianglesThatAreLeftOutOneByOneShowNothing) {
+    // In pictures of few pixels; both sides drawn and front sides alone.
+    const ScenePointer scene = rows();
+    Renderer& renderer = GlEnvironment::renderer();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    uint64_t away = 0, withoutSample = 0;
+    for (const char* facing : {"two-sided", "front"}) {
+        const CullerPointer strategy = clustersOf(*scene, {{"facing", facing}}),
+                            without = clustersOf(*scene, {{"facing", facing}, {"samples", "false"}});
+        Random random(5);
+        for (int i = 0; i < 20; ++i) {
+            const View view(around(*scene, random, 60).camera(), {160, 120});
+            const Culled frame = strategy->cull(view, Recording::On, &renderer), all = without->cull(view);
+            EXPECT_LE(frame.consideredTriangles, all.consideredTriangles);
+            Framebuffer target(view.viewport()), whole(view.viewport());
+            renderer.draw(buffers, view, frame.log, target);
+            renderer.draw(buffers, view, everything(*scene, frame.drawList.facing), whole);
+            ASSERT_EQ(target.readDepth(), whole.readDepth()) << facing << " view " << i;
+            forEachLeftOut(frame.log, [&](uint32_t /*instance*/, const LeftOutTriangles& triangles) {
+                away += triangles.count(Cause::BackFacing);
+                withoutSample += triangles.count(Cause::NoSample);
+            });
+        }
+    }
+    EXPECT_GT(away, 10'000u);
+    EXPECT_GT(withoutSample, 10'000u);
 }
 
 TEST(Clusters, conesAreUsedOnlyWhereBackSidesAreNotDrawn) {
     const auto withCones = [](const MeshPointer& mesh, const char* facing, const char* cones) {
         const ScenePointer scene = sceneOf({mesh});
         const View view({{0, 0, 5}, Vec3(0.0), {0, 1, 0.1}, Angle::fromDegrees(40), 0.1, 100}, {200, 200});
-        return clustersOf(*scene, {{"facing", facing}, {"cones", cones}})->cull(view).culledTriangles[size_t(Cause::BackFacing)] >
-               0;
+        return clustersOf(*scene, {{"facing", facing}, {"cones", cones}, {"samples", "false"}})
+                   ->cull(view)
+                   .culledTriangles[size_t(Cause::BackFacing)] > 0;
     };
     const MeshPointer star = starMesh(2, 8'000);
     EXPECT_TRUE(withCones(star, "auto", "true"));
