@@ -120,12 +120,16 @@ void addGroupTests(const FrameLog& log, uint32_t group, std::vector<WhyStep>& st
     }
 }
 
-/// What was said of the cell or range of cells by which a triangle of an object was decided, with its numbers; `own`: its number
-/// in the mesh.
-void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, uint64_t own, std::vector<WhyStep>& steps) {
+/// Where a triangle of an object stands in the order of the frame; `own`: its number in the mesh.
+uint64_t placeOf(const Scene& scene, const FrameLog& log, uint32_t instance, uint64_t own) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     uint64_t place = 0;
     while (place < scene.meshOf(instance).triangleCount() && triangleAt(log.order.get(), mesh, place) != own) ++place;
+    return place;
+}
+
+/// What was said of the cell or range of cells by which the triangle at a place of an object was decided, with its numbers.
+void addCellTests(const FrameLog& log, uint32_t instance, uint64_t place, std::vector<WhyStep>& steps) {
     const auto holds = [&](const Decision& decision) {
         return decision.subject.holdsTriangles() && decision.subject.object == instance && decision.places.first <= place &&
                place - decision.places.first < decision.places.count;
@@ -136,6 +140,19 @@ void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, ui
     if (last == log.decisions.rend()) return;
     for (const Decision& decision : log.decisions)
         if (decision.subject == last->subject && decision.sentence != nullptr) steps.push_back(whyStep(decision));
+}
+
+/// Why a triangle of a drawn cell was left out by itself; none: it was not.
+std::optional<Message> leftOutByItself(const FrameLog& log, uint32_t instance, uint64_t place) {
+    std::optional<Cause> cause;
+    forEachLeftOut(log, [&](uint32_t of, const LeftOutTriangles& triangles) {
+        if (of == instance && !cause) cause = triangles.causeAt(uint32_t(place));
+    });
+    if (!cause) return std::nullopt;
+    if (*cause == Cause::BackFacing)
+        return Message{
+            CULLSCOPE_TR("The triangle faces away, however rounding and snapping move its corners: OpenGL would drop it."), {}};
+    return Message{CULLSCOPE_TR("No pixel centre lies in the triangle, however rounding and snapping move its corners."), {}};
 }
 
 /// Whether stand-ins are drawn in place of an object's surface.
@@ -237,8 +254,11 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
         else
             steps.push_back(whyStep(decision));
     }
-    addCellTests(scene, log, instance, own, steps);
+    const uint64_t place = placeOf(scene, log, instance, own);
+    addCellTests(log, instance, place, steps);
     strategy.addWhySteps(log, instance, uint32_t(own), steps);
+    if (std::optional<Message> byItself = leftOutByItself(log, instance, place))
+        steps.push_back({std::move(*byItself), {}, {}, {}, Containment::Outside});
     const DrawList drawn = drawnTriangles(scene, log);
     if (standsIn(drawn, scene, instance)) {
         steps.push_back({{CULLSCOPE_TR("A coarser surface of the object is given to OpenGL in place of the triangle."), {}},

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <numbers>
 
-#include "core/visibility/left_out_triangles.h"
 #include "core/visibility/spherical/cell_directions.h"
 #include "core/visibility/spherical/contour_bands.h"
 
@@ -93,20 +92,7 @@ std::optional<Message> horizonLeftOut(const MapSnapshot& map) {
         {}};
 }
 
-/// Why a triangle of a drawn cell was left out by itself; none: it was not.
-std::optional<Message> leftOutByItself(const FrameLog& log, uint32_t instance, uint32_t place) {
-    std::optional<Cause> cause;
-    forEachLeftOut(log, [&](uint32_t of, const LeftOutTriangles& triangles) {
-        if (of == instance && !cause) cause = triangles.causeAt(place);
-    });
-    if (!cause) return std::nullopt;
-    if (*cause == Cause::BackFacing)
-        return Message{
-            CULLSCOPE_TR("The triangle faces away, however rounding and snapping move its corners: OpenGL would drop it."), {}};
-    return Message{CULLSCOPE_TR("No pixel centre lies in the triangle, however rounding and snapping move its corners."), {}};
-}
-
-void addWalkSteps(const MapSnapshot& map, const FrameLog& log, uint32_t triangle, std::vector<WhyStep>& steps) {
+void addWalkSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>& steps) {
     if (!map.tree->divided()) {
         Message small{CULLSCOPE_TR("The object has too few triangles to be divided: it is one cell."), {}};
         steps.push_back(said(std::move(small)));
@@ -122,8 +108,6 @@ void addWalkSteps(const MapSnapshot& map, const FrameLog& log, uint32_t triangle
     steps.push_back(said({CULLSCOPE_TR("The walk over the map ended at a cell of level %1, which holds %2 triangles."),
                           {std::to_string(node.level), std::to_string(node.count)}}));
     steps.push_back(said(judgedSentence(*judged), judged->cause ? Containment::Outside : Containment::Inside));
-    if (std::optional<Message> alone = leftOutByItself(log, map.decision.instance, place))
-        steps.push_back(said(std::move(*alone), Containment::Outside));
 }
 
 }  // namespace
@@ -133,7 +117,7 @@ void addMapSteps(const MapSnapshot& map, const FrameLog& log, uint32_t triangle,
     steps.push_back(said({CULLSCOPE_TR("The object's bounding sphere: %1."), {relationName(decision.relation)}}));
     if (decision.relation == SphereRelation::Outside) return;
     if (map.tree) {
-        if (decision.walk) addWalkSteps(map, log, triangle, steps);
+        if (decision.walk) addWalkSteps(map, triangle, steps);
         return;
     }
     const SphericalGrid& grid = map.maps->grid();

@@ -111,9 +111,16 @@ TEST(Clusters, trianglesThatAreLeftOutOneByOneShowNothing) {
             renderer.draw(buffers, view, frame.log, target);
             renderer.draw(buffers, view, everything(*scene, frame.drawList.facing), whole);
             ASSERT_EQ(target.readDepth(), whole.readDepth()) << facing << " view " << i;
-            forEachLeftOut(frame.log, [&](uint32_t /*instance*/, const LeftOutTriangles& triangles) {
+            forEachLeftOut(frame.log, [&](uint32_t instance, const LeftOutTriangles& triangles) {
                 away += triangles.count(Cause::BackFacing);
                 withoutSample += triangles.count(Cause::NoSample);
+                if (triangles.runs.empty() || i > 0) return;
+                // Why says it of the triangle itself.
+                const LeftOutTriangles::Run& run = triangles.runs.front();
+                const uint32_t own = frame.drawList.triangleAt(scene->instances()[instance].mesh, run.places.first);
+                const auto steps = why(*strategy->built(), frame.log, scene->firstTriangle(instance) + own);
+                const std::string& sentence = decidingStep(steps)->sentence.text;
+                EXPECT_THAT(sentence, testing::HasSubstr(run.cause == Cause::NoSample ? "No pixel centre" : "faces away"));
             });
         }
     }
