@@ -20,7 +20,7 @@ constexpr size_t kObjectsForThreads = 8;
 // Where no plane cuts an object, its cells are tested for what faces away and what is hidden alone. With a smaller share facing
 // away on average, the walk almost always ends in drawing all of it, and in an object of fewer triangles the horizon hides
 // next to nothing, so that both tests would only cost time: 2 to 5 % of a frame.
-constexpr double kLeastShareFacingAway = 0.2;
+constexpr double kLeastShareFacingAway = 0.25;
 constexpr size_t kLeastTrianglesForHorizonInView = 20'000;
 
 constexpr OctreeWalkLines kWalkLines{.groupPlanes = uint8_t(WalkLine::Groups),
