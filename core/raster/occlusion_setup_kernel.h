@@ -16,7 +16,7 @@ struct EightOccluders {
     Floats depth, perColumn, perRow, nearest, farthest;
 };
 
-/// The least width of eight triangles in the picture, and whether it is a pixel at least.
+/// What the least width of eight triangles in the picture follows from.
 struct EightShapes {
     EightDoubles twiceArea;  ///< square pixels; above 0 in counter-clockwise order
     EightDoubles longest;    ///< edge, squared
@@ -24,7 +24,7 @@ struct EightShapes {
 
 inline void shapesOf(const Ints (&x)[3], const Ints (&y)[3], EightShapes& shapes) {
     constexpr double kPixel = 1.0 / kSubPixels;
-    EightDoubles dx[3], dy[3];  // whole numbers: their products and differences are exact
+    EightDoubles dx[3], dy[3];  // whole numbers of 1/256 pixel: their products and differences are exact
     shapes.longest = EightDoubles{};
     for (int i = 0; i < 3; ++i) {
         const int next = i == 2 ? 0 : i + 1;
