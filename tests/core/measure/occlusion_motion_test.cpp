@@ -77,15 +77,16 @@ private:
     std::vector<CullerPointer> m_cullers;
 };
 
-void report(const char* name, const Tallies& tallies) {
+/// `leastOfHiz`: triangles that occlusion-hiz hides in a frame, so that the views are not empty.
+void report(const char* name, const Tallies& tallies, uint64_t leastOfHiz = 50) {
     for (const auto& [id, tally] : tallies) {
         std::printf("long: occlusion-motion %s %s frames %llu covered %llu hidden %llu different %llu\n", name, id.c_str(),
                     static_cast<unsigned long long>(tally.frames), static_cast<unsigned long long>(tally.covered),
                     static_cast<unsigned long long>(tally.hidden), static_cast<unsigned long long>(tally.different));
         EXPECT_GT(tally.covered, tally.frames * 100) << id;
-        // Of what clusters leave out, less counts as hidden: much of it is turned away or outside the frustum. After a leap
-        // occlusion-hiz knows little: over the long sample it hides 45 triangles a frame.
-        EXPECT_GT(tally.hidden, tally.frames * (id == "clusters" ? 20 : 40)) << id << ": the views hide next to nothing";
+        // Of what clusters leave out, less counts as hidden: much of it is turned away or outside the frustum.
+        const uint64_t least = id == "clusters" ? 20 : id == "occlusion-hiz" ? leastOfHiz : 50;
+        EXPECT_GT(tally.hidden, tally.frames * least) << id << ": the views hide next to nothing";
     }
 }
 
@@ -134,7 +135,8 @@ TEST(OcclusionMotion, nothingIsLostWhereViewsLeapAndPicturesHaveAnySize) {
                                          "seed " + std::to_string(seed) + " frame " + std::to_string(frame), tallies);
         }
     }
-    report("leaping", tallies);
+    // After a leap occlusion-hiz knows little: over the long sample it hides 45 triangles a frame.
+    report("leaping", tallies, howMany(40, 50));
 }
 
 TEST(OcclusionMotion, nothingIsLostInPicturesOfAnySizeInParallelViewsAndFarFromTheOrigin) {
