@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <cstdlib>
 
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
@@ -9,8 +11,8 @@ namespace cullscope::cullbench {
 namespace {
 
 struct CertifyOptions {
-    std::string strategy, shard, state, cases, json;
-    std::vector<std::string> parameters, merge;
+    std::string shard, state, cases, json;
+    std::vector<std::string> strategies, parameters, merge;
     uint64_t views = 10'000, seed = 1;
     size_t threads = 0;
 };
@@ -27,44 +29,49 @@ std::pair<uint64_t, uint64_t> shardFromText(const std::string& text) {
     return {shard, shards};
 }
 
-void report(const certify::Certificate& certificate, const std::string& json, Context& context) {
-    if (context.stop.stop_requested() && !certificate.complete())
+void report(const std::vector<certify::Certificate>& certificates, const std::string& json, Context& context) {
+    const auto lost = [](const certify::Certificate& one) { return !one.counterexamples.empty(); };
+    if (context.stop.stop_requested() && !std::ranges::all_of(certificates, &certify::Certificate::complete))
         context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
-    else if (!certificate.counterexamples.empty())
+    else if (std::ranges::any_of(certificates, lost))
         context.exitStatus = 1;
-    if (!json.empty()) writeText(json, certify::certificateJson(certificate));
-    printText(json == "-" ? stderr : stdout, certify::certificateText(certificate));
+    if (!json.empty()) writeText(json, certify::certificatesJson(certificates));
+    for (const certify::Certificate& one : certificates) printText(json == "-" ? stderr : stdout, certify::certificateText(one));
 }
 
 void merge(const CertifyOptions& options, Context& context) {
     std::vector<certify::Certificate> certificates;
-    for (const std::string& file : options.merge) certificates.push_back(certify::readCertificate(file));
+    for (const std::string& file : options.merge)
+        for (certify::Certificate& one : certify::readCertificates(file)) certificates.push_back(std::move(one));
     report(certify::merged(certificates), options.json, context);
 }
 
 void run(const CertifyOptions& options, Context& context) {
     checkOutputPlaces({options.json});
     if (!options.merge.empty()) {
-        if (!options.strategy.empty()) throwUsage(CULLSCOPE_TR("--merge takes state files alone: leave out the strategy."));
+        if (!options.strategies.empty()) throwUsage(CULLSCOPE_TR("--merge takes state files alone: leave out the strategy."));
         return merge(options, context);
     }
-    if (options.strategy.empty()) throwUsage(CULLSCOPE_TR("Name the strategy to be certified, or state files with --merge."));
+    if (options.strategies.empty()) throwUsage(CULLSCOPE_TR("Name the strategy to be certified, or state files with --merge."));
     checkOutputPlaces({options.state});
     certify::CertifyRequest request;
-    request.strategy = strategiesOf({options.strategy}, options.parameters).front();
+    request.strategies = strategiesOf(options.strategies, options.parameters);
     request.views = options.views;
     request.seed = options.seed;
     if (!options.shard.empty()) std::tie(request.shard, request.shards) = shardFromText(options.shard);
     request.state = options.state;
     request.cases = options.cases;
     request.threads = options.threads;
+    // Every thread draws small pictures with an OpenGL of its own. Mesa's software OpenGL would divide each of them among all
+    // processors again, which takes twice as long.
+    if (options.threads != 1) setenv("LP_NUM_THREADS", "0", 0);
     {
         const HeadlessContext gl;
-        requireAvailable(request.strategy, gl.info());
+        for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
     }
-    const certify::Certificate certificate = certify::certify(request, terminalProgress(context));
+    const std::vector<certify::Certificate> certificates = certify::certify(request, terminalProgress(context));
     clearProgress();
-    report(certificate, options.json, context);
+    report(certificates, options.json, context);
 }
 
 }  // namespace
@@ -72,8 +79,10 @@ void run(const CertifyOptions& options, Context& context) {
 void addCertifyCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("certify", "Tries random views of random scenes against a strategy's promise");
     auto options = std::make_shared<CertifyOptions>();
-    command->add_option("STRATEGY", options->strategy, "strategy, as in -s");
-    command->add_option("-p,--parameter", options->parameters, "parameter of the strategy: key=value")->allow_extra_args(false);
+    command->add_option("STRATEGY", options->strategies,
+                        "strategies, as in -s: tried at the same views, each with a certificate");
+    command->add_option("-p,--parameter", options->parameters, "parameter, as in measure: key=value or STRATEGY.key=value")
+        ->allow_extra_args(false);
     command->add_option("--views", options->views, "how many views, of all shards together")
         ->check(CLI::Range(uint64_t{1}, uint64_t{10'000'000'000}))
         ->capture_default_str();

@@ -126,7 +126,8 @@ void addFile(const store::ResultStore& opened, const std::string& file, const st
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     constexpr size_t kFirstField = 40;
     if (text.substr(0, kFirstField).find("\"certificate\"") != std::string::npos) {
-        say("certificate {}: {}\n", opened.addCertificate(certify::readCertificate(file)), file);
+        for (const certify::Certificate& certificate : certify::readCertificates(file))
+            say("certificate {}: {}\n", opened.addCertificate(certificate), file);
         return;
     }
     say("measurement {}: {}\n", opened.addFile(text, file, {"measure", command}), file);

@@ -53,16 +53,12 @@ private:
     }
 
     void certifyAll() {
-        const auto& known = strategies();
-        const Progress whole = m_progress.part(kBatteryEnds, kCertificatesEnd);
+        certify::CertifyRequest request;
+        request.views = m_request.certifiedViews;
+        for (const RegisteredStrategy& known : strategies())
+            if (!unavailable(known.info, m_test.gl)) request.strategies.push_back(strategyFromText(known.info.id));
         std::string text;
-        for (size_t i = 0; i < known.size(); ++i) {
-            if (unavailable(known[i].info, m_test.gl)) continue;
-            certify::CertifyRequest request;
-            request.strategy = strategyFromText(known[i].info.id);
-            request.views = m_request.certifiedViews;
-            certify::Certificate certificate =
-                certify::certify(request, whole.part(double(i) / double(known.size()), double(i + 1) / double(known.size())));
+        for (certify::Certificate& certificate : certify::certify(request, m_progress.part(kBatteryEnds, kCertificatesEnd))) {
             m_progress.check();
             if (certificate.promised == 0) continue;
             text += certify::certificateText(certificate);

@@ -47,13 +47,12 @@ Frustum makeParallelFrustum(const Vec3& forward, const Vec3& right, const Vec3& 
     frustum.halfHeight = halfHeight;
     frustum.nearDistance = nearDistance;
     frustum.farDistance = farDistance;
-    const double room = depthRoom(farDistance);
     frustum.planes = {Plane{right, halfWidth},
                       Plane{-right, halfWidth},
                       Plane{up, halfHeight},
                       Plane{-up, halfHeight},
-                      Plane{forward, room - nearDistance},
-                      Plane{-forward, farDistance + room}};
+                      Plane{forward, -frustum.leastDistance()},
+                      Plane{-forward, frustum.mostDistance()}};
     return frustum;
 }
 

@@ -30,6 +30,9 @@ struct Frustum {
     double farDistance = 10.0;
 
     [[nodiscard]] bool parallel() const { return halfHeight > 0.0; }
+    /// What a picture shows lies between these distances, those of the near and far planes: in a parallel view depthRoom more.
+    [[nodiscard]] double leastDistance() const;
+    [[nodiscard]] double mostDistance() const;
     /// Half the width and half the height of the view at a distance ahead of the eye.
     [[nodiscard]] double halfWidthAt(double ahead) const { return halfWidth + tanHalfWidth * ahead; }
     [[nodiscard]] double halfHeightAt(double ahead) const { return halfHeight + tanHalfHeight * ahead; }
@@ -50,6 +53,9 @@ struct Frustum {
 
 /// By how much the near and far planes of a parallel view lie beyond its distances.
 [[nodiscard]] constexpr double depthRoom(double farDistance) { return farDistance * 0x1p-20; }
+
+inline double Frustum::leastDistance() const { return parallel() ? nearDistance - depthRoom(farDistance) : nearDistance; }
+inline double Frustum::mostDistance() const { return parallel() ? farDistance + depthRoom(farDistance) : farDistance; }
 
 /// A box in coordinates relative to the eye.
 struct EyeBox {

@@ -24,8 +24,8 @@ public:
           m_tanHalfHeight(frustum.tanHalfHeight),
           m_halfWidth(frustum.halfWidth),
           m_halfHeight(frustum.halfHeight),
-          m_near(frustum.nearDistance),
-          m_far(std::max(frustum.nearDistance, std::min(frustum.farDistance, farthest))) {}
+          m_near(frustum.leastDistance()),
+          m_far(std::max(m_near, std::min(frustum.mostDistance(), farthest))) {}
 
     [[nodiscard]] Vec3 coordinates(const Vec3& eyeRelative) const {
         return {glm::dot(m_right, eyeRelative), glm::dot(m_up, eyeRelative), glm::dot(m_forward, eyeRelative)};

@@ -57,6 +57,7 @@ public:
         sets.path.fovy = Angle::fromDegrees(lens(root, "fovy_deg", 45.0));
         sets.path.nearDistance = lens(root, "near", sets.path.nearDistance);
         sets.path.farDistance = lens(root, "far", sets.path.farDistance);
+        readProjection(root, sets.path);
         for (const Json& pose : root["poses"]) {
             m_pose = std::to_string(sets.poses.size());
             sets.poses.push_back(drawnAt(pose, sets.byObjects));
@@ -72,6 +73,18 @@ private:
         if (!root.contains(key)) return fallback;
         if (!root[key].is_number()) throwInput(CULLSCOPE_TR("%1: \"%2\" must be a number."), {m_file, key});
         return root[key].get<double>();
+    }
+
+    void readProjection(const Json& root, CameraPath& path) const {
+        if (!root.contains("projection")) return;
+        const std::optional<ProjectionKind> known =
+            root["projection"].is_string() ? projectionFromId(root["projection"].get_ref<const std::string&>()) : std::nullopt;
+        if (!known) throwInput(CULLSCOPE_TR("%1: \"projection\" must be \"perspective\" or \"parallel\"."), {m_file});
+        path.projection = *known;
+        if (*known == ProjectionKind::Perspective) return;
+        if (!root.contains("height"))
+            throwInput(CULLSCOPE_TR("%1: a parallel projection needs its \"height\", in scene units."), {m_file});
+        path.height = lens(root, "height", path.height);
     }
 
     DrawnSets::Triangles drawnAt(const Json& pose, bool& byObjects) const {
@@ -204,6 +217,10 @@ void writeDrawnSets(const std::filesystem::path& file, const WrittenSets& sets) 
               {"near", sets.path.nearDistance},
               {"far", sets.path.farDistance},
               {"poses", Json::array()}};
+    if (sets.path.projection == ProjectionKind::Parallel) {
+        root["projection"] = projectionId(sets.path.projection);
+        root["height"] = sets.path.height;
+    }
     for (const WrittenPose& written : sets.poses) {
         Json pose{{"eye", array(written.pose.eye)}, {"target", array(written.pose.target)}, {"up", array(written.pose.up)}};
         pose["objects"] = written.objects;

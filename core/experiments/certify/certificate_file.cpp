@@ -29,9 +29,7 @@ Json rangesOfBlocks(const std::vector<bool>& done) {
     return ranges;
 }
 
-}  // namespace
-
-std::string certificateJson(const Certificate& certificate) {
+Json jsonOf(const Certificate& certificate) {
     Json examples = Json::array();
     for (const Counterexample& one : certificate.counterexamples)
         examples.push_back({{"block", one.block},
@@ -42,99 +40,131 @@ std::string certificateJson(const Certificate& certificate) {
                             {"size", {one.size.width, one.size.height}},
                             {"file", one.file},
                             {"file_shows_it", one.fileShowsIt}});
-    const Json root{{"certificate", 1},
-                    {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
-                    {"strategy", certificate.strategy},
-                    {"seed", certificate.seed},
-                    {"blocks", certificate.blocks},
-                    {"views_of_a_block", kViewsOfABlock},
-                    {"shard", certificate.shard},
-                    {"shards", certificate.shards},
-                    {"complete", certificate.complete()},
-                    {"views", certificate.views},
-                    {"promised_views", certificate.promised},
-                    {"refused_views", certificate.refused},
-                    {"covered_pixels", certificate.coveredPixels},
-                    {"lost_views", certificate.counterexamples.size()},
-                    {"counterexamples", std::move(examples)},
-                    {"blocks_done", rangesOfBlocks(certificate.done)}};
-    return root.dump(1) + "\n";
+    return {{"certificate", certificate.viewsVersion},
+            {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
+            {"strategy", certificate.strategy},
+            {"seed", certificate.seed},
+            {"blocks", certificate.blocks},
+            {"views_of_a_block", kViewsOfABlock},
+            {"shard", certificate.shard},
+            {"shards", certificate.shards},
+            {"complete", certificate.complete()},
+            {"views", certificate.views},
+            {"promised_views", certificate.promised},
+            {"refused_views", certificate.refused},
+            {"covered_pixels", certificate.coveredPixels},
+            {"lost_views", certificate.counterexamples.size()},
+            {"counterexamples", std::move(examples)},
+            {"blocks_done", rangesOfBlocks(certificate.done)}};
 }
 
-void writeCertificate(const std::filesystem::path& file, const Certificate& certificate) {
-    writeFileAtomically(file, [&](std::ostream& out) { out << certificateJson(certificate); });
-}
-
-Certificate readCertificate(const std::filesystem::path& file) {
+/// Throws Json::exception where fields are missing or of other kinds.
+Certificate certificateOf(const Json& root, const std::filesystem::path& file) {
     constexpr uint64_t kMostBlocks = 10'000'000'000 / kViewsOfABlock;  // as many views as certify takes
+    Certificate certificate;
+    certificate.viewsVersion = root.at("certificate").get<uint64_t>();
+    if (certificate.viewsVersion < 1 || certificate.viewsVersion > kViewsVersion || root.at("views_of_a_block") != kViewsOfABlock)
+        throwInput(CULLSCOPE_TR("%1 was written by another version: its blocks are not those of this one."), {file.string()});
+    certificate.strategy = root.at("strategy").get<std::string>();
+    certificate.seed = root.at("seed").get<uint64_t>();
+    certificate.blocks = root.at("blocks").get<uint64_t>();
+    certificate.shard = root.at("shard").get<uint64_t>();
+    certificate.shards = root.at("shards").get<uint64_t>();
+    certificate.views = root.at("views").get<uint64_t>();
+    certificate.promised = root.at("promised_views").get<uint64_t>();
+    certificate.refused = root.at("refused_views").get<uint64_t>();
+    certificate.coveredPixels = root.at("covered_pixels").get<uint64_t>();
+    if (certificate.blocks < 1 || certificate.blocks > kMostBlocks || certificate.shard < 1 ||
+        certificate.shard > certificate.shards)
+        throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+    certificate.done.assign(certificate.blocks, false);
+    uint64_t next = 0;
+    for (const Json& range : root.at("blocks_done")) {
+        const auto first = range.at(0).get<uint64_t>();
+        const auto last = range.at(1).get<uint64_t>();
+        // They are written in order; a file in which they overlap would be read for hours.
+        if (first < next || last < first || last >= certificate.blocks)
+            throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+        std::fill(certificate.done.begin() + int64_t(first), certificate.done.begin() + int64_t(last) + 1, true);
+        next = last + 1;
+    }
+    for (const Json& one : root.at("counterexamples"))
+        certificate.counterexamples.push_back({one.at("block").get<uint64_t>(), one.at("view").get<uint64_t>(),
+                                               one.at("lost_pixels").get<uint64_t>(), one.at("triangles").get<uint64_t>(),
+                                               one.at("objects").get<uint64_t>(),
+                                               Viewport{one.at("size").at(0).get<int>(), one.at("size").at(1).get<int>()},
+                                               one.at("file").get<std::string>(), one.at("file_shows_it").get<bool>()});
+    return certificate;
+}
+
+/// Adds what another shard of the same run tried.
+void addTo(Certificate& all, const Certificate& one) {
+    if (one.seed != all.seed || one.blocks != all.blocks)
+        throwUsage(CULLSCOPE_TR("The state files are of different runs: %1 with seed %2 and %3 blocks, and %4 with seed %5 and "
+                                "%6 blocks."),
+                   {all.strategy, std::to_string(all.seed), std::to_string(all.blocks), one.strategy, std::to_string(one.seed),
+                    std::to_string(one.blocks)});
+    if (one.viewsVersion != all.viewsVersion)
+        throwUsage(CULLSCOPE_TR("The state files are of different versions: the same blocks are other views."));
+    for (uint64_t block = 0; block < all.blocks; ++block) {
+        if (!one.done[block]) continue;
+        if (all.done[block])
+            throwUsage(CULLSCOPE_TR("Two of the state files tried block %1: each shard is to be merged once."),
+                       {std::to_string(block)});
+        all.done[block] = true;
+    }
+    all.views += one.views;
+    all.promised += one.promised;
+    all.refused += one.refused;
+    all.coveredPixels += one.coveredPixels;
+    all.counterexamples.insert(all.counterexamples.end(), one.counterexamples.begin(), one.counterexamples.end());
+}
+
+}  // namespace
+
+std::string certificateJson(const Certificate& certificate) { return jsonOf(certificate).dump(1) + "\n"; }
+
+std::string certificatesJson(const std::vector<Certificate>& certificates) {
+    if (certificates.size() == 1) return certificateJson(certificates.front());
+    Json list = Json::array();
+    for (const Certificate& certificate : certificates) list.push_back(jsonOf(certificate));
+    return list.dump(1) + "\n";
+}
+
+void writeCertificates(const std::filesystem::path& file, const std::vector<Certificate>& certificates) {
+    writeFileAtomically(file, [&](std::ostream& out) { out << certificatesJson(certificates); });
+}
+
+std::vector<Certificate> readCertificates(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
     try {
         const Json root = Json::parse(in);
-        Certificate certificate;
-        if (root.at("certificate") != 1 || root.at("views_of_a_block") != kViewsOfABlock)
-            throwInput(CULLSCOPE_TR("%1 was written by another version: its blocks are not those of this one."), {file.string()});
-        certificate.strategy = root.at("strategy").get<std::string>();
-        certificate.seed = root.at("seed").get<uint64_t>();
-        certificate.blocks = root.at("blocks").get<uint64_t>();
-        certificate.shard = root.at("shard").get<uint64_t>();
-        certificate.shards = root.at("shards").get<uint64_t>();
-        certificate.views = root.at("views").get<uint64_t>();
-        certificate.promised = root.at("promised_views").get<uint64_t>();
-        certificate.refused = root.at("refused_views").get<uint64_t>();
-        certificate.coveredPixels = root.at("covered_pixels").get<uint64_t>();
-        if (certificate.blocks < 1 || certificate.blocks > kMostBlocks || certificate.shard < 1 ||
-            certificate.shard > certificate.shards)
-            throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
-        certificate.done.assign(certificate.blocks, false);
-        uint64_t next = 0;
-        for (const Json& range : root.at("blocks_done")) {
-            const auto first = range.at(0).get<uint64_t>();
-            const auto last = range.at(1).get<uint64_t>();
-            // They are written in order; a file in which they overlap would be read for hours.
-            if (first < next || last < first || last >= certificate.blocks)
-                throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
-            std::fill(certificate.done.begin() + int64_t(first), certificate.done.begin() + int64_t(last) + 1, true);
-            next = last + 1;
-        }
-        for (const Json& one : root.at("counterexamples"))
-            certificate.counterexamples.push_back({one.at("block").get<uint64_t>(), one.at("view").get<uint64_t>(),
-                                                   one.at("lost_pixels").get<uint64_t>(), one.at("triangles").get<uint64_t>(),
-                                                   one.at("objects").get<uint64_t>(),
-                                                   Viewport{one.at("size").at(0).get<int>(), one.at("size").at(1).get<int>()},
-                                                   one.at("file").get<std::string>(), one.at("file_shows_it").get<bool>()});
-        return certificate;
+        std::vector<Certificate> certificates;
+        if (!root.is_array()) return {certificateOf(root, file)};
+        for (const Json& one : root) certificates.push_back(certificateOf(one, file));
+        if (!certificates.empty()) return certificates;
     } catch (const Json::exception&) {
-        throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+        // Said below.
     }
+    throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
 }
 
-Certificate merged(const std::vector<Certificate>& certificates) {
+std::vector<Certificate> merged(const std::vector<Certificate>& certificates) {
     if (certificates.empty()) throwUsage(CULLSCOPE_TR("There is nothing to merge: name state files."));
-    Certificate all = certificates.front();
-    all.shard = all.shards = 1;
-    for (size_t i = 1; i < certificates.size(); ++i) {
-        const Certificate& one = certificates[i];
-        if (one.strategy != all.strategy || one.seed != all.seed || one.blocks != all.blocks)
-            throwUsage(
-                CULLSCOPE_TR("The state files are of different runs: %1 with seed %2 and %3 blocks, and %4 with seed %5 and "
-                             "%6 blocks."),
-                {all.strategy, std::to_string(all.seed), std::to_string(all.blocks), one.strategy, std::to_string(one.seed),
-                 std::to_string(one.blocks)});
-        for (uint64_t block = 0; block < all.blocks; ++block) {
-            if (!one.done[block]) continue;
-            if (all.done[block])
-                throwUsage(CULLSCOPE_TR("Two of the state files tried block %1: each shard is to be merged once."),
-                           {std::to_string(block)});
-            all.done[block] = true;
+    std::vector<Certificate> all;
+    for (const Certificate& one : certificates) {
+        const auto same = std::ranges::find(all, one.strategy, &Certificate::strategy);
+        if (same != all.end()) {
+            addTo(*same, one);
+            continue;
         }
-        all.views += one.views;
-        all.promised += one.promised;
-        all.refused += one.refused;
-        all.coveredPixels += one.coveredPixels;
-        all.counterexamples.insert(all.counterexamples.end(), one.counterexamples.begin(), one.counterexamples.end());
+        all.push_back(one);
+        all.back().shard = all.back().shards = 1;
     }
-    std::ranges::sort(all.counterexamples, {}, [](const Counterexample& one) { return std::pair(one.block, one.view); });
+    for (Certificate& one : all)
+        std::ranges::sort(one.counterexamples, {},
+                          [](const Counterexample& found) { return std::pair(found.block, found.view); });
     return all;
 }
 

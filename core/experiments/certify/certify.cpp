@@ -22,32 +22,59 @@ namespace cullscope::certify {
 namespace {
 
 constexpr std::chrono::seconds kBetweenStates{5};
+/// Of the views, those in parallel projection.
+constexpr double kParallelShare = 0.2;
 
 uint64_t sceneSeed(const CertifyRequest& request, uint64_t block) { return request.seed * 1'000'003 + block; }
 Random viewRandom(const CertifyRequest& request, uint64_t block, uint64_t view) {
     return Random((sceneSeed(request, block) * 7919 + view) * 2 + 1);
 }
 
-Certificate beginning(const CertifyRequest& request) {
-    Certificate certificate;
-    certificate.strategy = strategyText(request.strategy);
-    certificate.seed = request.seed;
-    certificate.blocks = std::max<uint64_t>(1, (request.views + kViewsOfABlock - 1) / kViewsOfABlock);
-    certificate.shard = request.shard;
-    certificate.shards = request.shards;
-    certificate.done.assign(certificate.blocks, false);
-    return certificate;
+std::vector<Certificate> beginnings(const CertifyRequest& request) {
+    std::vector<Certificate> certificates;
+    for (const StrategyRequest& strategy : request.strategies) {
+        Certificate certificate;
+        certificate.strategy = strategyText(strategy);
+        if (std::ranges::find(certificates, certificate.strategy, &Certificate::strategy) != certificates.end())
+            throwUsage(CULLSCOPE_TR("%1 is named twice: name each strategy once."), {certificate.strategy});
+        certificate.seed = request.seed;
+        certificate.blocks = std::max<uint64_t>(1, (request.views + kViewsOfABlock - 1) / kViewsOfABlock);
+        certificate.shard = request.shard;
+        certificate.shards = request.shards;
+        certificate.done.assign(certificate.blocks, false);
+        certificates.push_back(std::move(certificate));
+    }
+    if (certificates.empty()) throwUsage(CULLSCOPE_TR("Name the strategy to be certified."));
+    return certificates;
 }
 
-Certificate beginningOrState(const CertifyRequest& request) {
-    Certificate certificate = beginning(request);
+std::string namesOf(const std::vector<Certificate>& certificates) {
+    std::string names;
+    for (const Certificate& one : certificates) names += (names.empty() ? "" : ", ") + one.strategy;
+    return names;
+}
+
+bool ofTheSameRun(const std::vector<Certificate>& some, const std::vector<Certificate>& others) {
+    return std::ranges::equal(some, others, [&](const Certificate& one, const Certificate& other) {
+        return one.strategy == other.strategy && one.seed == other.seed && one.blocks == other.blocks &&
+               one.shard == other.shard && one.shards == other.shards && one.done.size() == other.done.size();
+    });
+}
+
+std::vector<Certificate> beginningsOrState(const CertifyRequest& request) {
+    std::vector<Certificate> certificates = beginnings(request);
     std::error_code ignored;
-    if (request.state.empty() || !std::filesystem::exists(request.state, ignored)) return certificate;
-    Certificate kept = readCertificate(request.state);
-    if (kept.strategy != certificate.strategy || kept.seed != certificate.seed || kept.blocks != certificate.blocks ||
-        kept.shard != certificate.shard || kept.shards != certificate.shards)
+    if (request.state.empty() || !std::filesystem::exists(request.state, ignored)) return certificates;
+    std::vector<Certificate> kept = readCertificates(request.state);
+    const auto differs = [&](const Certificate& one) {
+        return one.viewsVersion != kViewsVersion || one.done != kept.front().done;
+    };
+    if (std::ranges::any_of(kept, differs))
+        throwUsage(CULLSCOPE_TR("%1 was written by another version: its blocks are not those of this one."),
+                   {request.state.string()});
+    if (!ofTheSameRun(kept, certificates))
         throwUsage(CULLSCOPE_TR("%1 has the state of another run, of %2 with seed %3: name another file, or remove it."),
-                   {request.state.string(), kept.strategy, std::to_string(kept.seed)});
+                   {request.state.string(), namesOf(kept), std::to_string(kept.front().seed)});
     return kept;
 }
 
@@ -55,11 +82,11 @@ Certificate beginningOrState(const CertifyRequest& request) {
 class Run {
 public:
     Run(const CertifyRequest& request, const Progress& progress)
-        : m_request(request), m_progress(progress), m_certificate(beginningOrState(request)) {}
+        : m_request(request), m_progress(progress), m_certificates(beginningsOrState(request)) {}
 
-    Certificate finish() {
+    std::vector<Certificate> finish() {
         const size_t wanted = m_request.threads > 0 ? m_request.threads : std::max(1U, std::thread::hardware_concurrency());
-        const size_t threads = std::min<uint64_t>(wanted, std::max<uint64_t>(1, m_certificate.blocksToDo()));
+        const size_t threads = std::min<uint64_t>(wanted, std::max<uint64_t>(1, blocks().blocksToDo()));
         {
             std::latch begun{ptrdiff_t(threads)}, ended{ptrdiff_t(threads)};
             std::vector<std::jthread> workers;
@@ -72,19 +99,20 @@ public:
                 }
             if (workers.empty()) throwInput(CULLSCOPE_TR("The system gives no thread for this: close other programs."));
         }
-        if (!m_request.state.empty()) writeCertificate(m_request.state, m_certificate);
+        if (!m_request.state.empty()) writeCertificates(m_request.state, m_certificates);
         if (m_failure) std::rethrow_exception(m_failure);
-        return std::move(m_certificate);
+        return std::move(m_certificates);
     }
 
 private:
     /// The next block of this shard that is not done and not under way; none: there is none.
     std::optional<uint64_t> next() {
         const std::lock_guard lock(m_mutex);
-        if (m_failure || m_progress.stopRequested() || m_certificate.counterexamples.size() >= m_request.mostCounterexamples)
-            return std::nullopt;
-        for (; m_next < m_certificate.blocks; ++m_next)
-            if (m_certificate.ofShard(m_next) && !m_certificate.done[m_next]) return m_next++;
+        size_t counterexamples = 0;
+        for (const Certificate& one : m_certificates) counterexamples += one.counterexamples.size();
+        if (m_failure || m_progress.stopRequested() || counterexamples >= m_request.mostCounterexamples) return std::nullopt;
+        for (; m_next < blocks().blocks; ++m_next)
+            if (blocks().ofShard(m_next) && !blocks().done[m_next]) return m_next++;
         return std::nullopt;
     }
 
@@ -127,49 +155,102 @@ private:
         if (!m_failure) m_failure = std::current_exception();
     }
 
-    void add(uint64_t block, BlockResult result) {
+    /// All strategies have the same blocks, and have done the same.
+    [[nodiscard]] const Certificate& blocks() const { return m_certificates.front(); }
+
+    void add(uint64_t block, std::vector<BlockResult> results) {
         const std::lock_guard lock(m_mutex);
-        m_certificate.done[block] = true;
-        m_certificate.views += result.views;
-        m_certificate.promised += result.promised;
-        m_certificate.refused += result.refused;
-        m_certificate.coveredPixels += result.coveredPixels;
-        for (Counterexample& one : result.counterexamples) m_certificate.counterexamples.push_back(std::move(one));
-        m_progress.tell(double(m_certificate.blocksDone()) / double(m_certificate.blocksToDo()), CULLSCOPE_TR("certifying"));
+        for (size_t i = 0; i < results.size(); ++i) {
+            Certificate& certificate = m_certificates[i];
+            certificate.done[block] = true;
+            certificate.views += results[i].views;
+            certificate.promised += results[i].promised;
+            certificate.refused += results[i].refused;
+            certificate.coveredPixels += results[i].coveredPixels;
+            for (Counterexample& one : results[i].counterexamples) certificate.counterexamples.push_back(std::move(one));
+        }
+        m_progress.tell(double(blocks().blocksDone()) / double(blocks().blocksToDo()), CULLSCOPE_TR("certifying"));
         const auto now = std::chrono::steady_clock::now();
         if (m_request.state.empty() || now - m_written < kBetweenStates) return;
         m_written = now;
-        writeCertificate(m_request.state, m_certificate);
+        writeCertificates(m_request.state, m_certificates);
     }
 
     const CertifyRequest& m_request;
     const Progress& m_progress;
     std::mutex m_mutex, m_contexts;
-    Certificate m_certificate;
+    std::vector<Certificate> m_certificates;  ///< by strategy
     uint64_t m_next = 0;
     std::chrono::steady_clock::time_point m_written = std::chrono::steady_clock::now();
     std::exception_ptr m_failure;
 };
 
-Counterexample shrunkAndWritten(const CertifyRequest& request, uint64_t block, uint64_t number, uint64_t lost, Example example,
-                                Renderer& renderer, const Progress& progress) {
+Counterexample shrunkAndWritten(const CertifyRequest& request, const StrategyRequest& strategy, uint64_t block, uint64_t number,
+                                uint64_t lost, Example example, Renderer& renderer, const Progress& progress) {
     Counterexample found;
     found.block = block;
     found.view = number;
     found.lostPixels = lost;
-    example = shrunk(request.strategy, std::move(example), renderer, progress);
+    example = shrunk(strategy, std::move(example), renderer, progress);
     found.triangles = example.scene->triangleCount();
     found.objects = example.scene->instances().size();
     found.size = example.view.viewport;
     if (request.cases.empty()) return found;
     std::error_code failure;
     std::filesystem::create_directories(request.cases, failure);
-    const std::filesystem::path file =
-        request.cases / fmt::format("{}-{}-{}-{}", request.strategy.id, request.seed, block, number);
-    found.fileShowsIt = writeExample(file, request.strategy, example, renderer);
+    const std::filesystem::path file = request.cases / fmt::format("{}-{}-{}-{}", strategy.id, request.seed, block, number);
+    found.fileShowsIt = writeExample(file, strategy, example, renderer);
     found.file = file.string();
     return found;
 }
+
+/// Whether a strategy serves what is asked of it; stops and failures of OpenGL are thrown.
+template <typename Ask>
+bool served(const Ask& ask) {
+    try {
+        ask();
+        return true;
+    } catch (const Error& error) {
+        if (error.kind() == ErrorKind::Interrupted || error.kind() == ErrorKind::OpenGl) throw;
+        return false;
+    }
+}
+
+/// A view, with the truth of each facing rule drawn once for all strategies.
+class TriedView {
+public:
+    TriedView(Renderer& renderer, const SceneBuffers& buffers, const View& view)
+        : m_renderer(renderer), m_buffers(buffers), m_view(view) {}
+
+    /// Draws it by a strategy where that promises to lose nothing, and counts it. Returns how many pixels were lost.
+    uint64_t lostBy(const BuiltStrategy& strategy, BlockResult& result) {
+        if (strategy.promiseAt(m_view) == Promise::Approximate) return 0;
+        GpuFrame frame(m_renderer, m_buffers, m_view);
+        const ViewStatePointer state = strategy.begin();
+        if (!served([&] { strategy.draw(frame, *state); })) {
+            ++result.refused;
+            return 0;
+        }
+        ++result.promised;
+        const Reference& truth = truthUnder(strategy.referenceFacing());
+        result.coveredPixels += truth.coveredPixels;
+        if (!m_target) m_target.emplace(m_view.viewport());
+        return judge(m_renderer, m_buffers, frame.take(), truth, *m_target).lostPixels();
+    }
+
+private:
+    const Reference& truthUnder(Facing facing) {
+        const auto same = std::ranges::find(m_truths, facing, &Reference::facing);
+        if (same != m_truths.end()) return *same;
+        return m_truths.emplace_back(itemBufferReference(m_renderer, m_buffers, m_view, facing));
+    }
+
+    Renderer& m_renderer;
+    const SceneBuffers& m_buffers;
+    View m_view;
+    std::vector<Reference> m_truths;
+    std::optional<Framebuffer> m_target;
+};
 
 }  // namespace
 
@@ -181,46 +262,38 @@ uint64_t Certificate::blocksToDo() const {
     return count;
 }
 
-BlockResult certifyBlock(const CertifyRequest& request, uint64_t block, Renderer& renderer, const Progress& progress) {
-    BlockResult result;
-    result.views = kViewsOfABlock;
+std::vector<BlockResult> certifyBlock(const CertifyRequest& request, uint64_t block, Renderer& renderer,
+                                      const Progress& progress) {
+    std::vector<BlockResult> results(request.strategies.size(), BlockResult{kViewsOfABlock});
     const ScenePointer scene = randomScene(sceneSeed(request, block));
     const SceneBuffers buffers(scene, Upload::Vbo);
     StructureStore structures;
-    BuiltStrategyPointer strategy;
-    try {
-        strategy = buildStrategy(strategyOf(request.strategy), request.strategy.parameters, scene, structures, progress);
-    } catch (const Error& error) {
-        if (error.kind() == ErrorKind::Interrupted || error.kind() == ErrorKind::OpenGl) throw;
-        result.refused = kViewsOfABlock;
-        return result;
+    std::vector<BuiltStrategyPointer> built;
+    for (size_t i = 0; i < results.size(); ++i) {
+        const StrategyRequest& strategy = request.strategies[i];
+        built.emplace_back();
+        if (!served(
+                [&] { built.back() = buildStrategy(strategyOf(strategy), strategy.parameters, scene, structures, progress); }))
+            results[i].refused = kViewsOfABlock;
     }
     for (uint64_t number = 0; number < kViewsOfABlock; ++number) {
         progress.check();
         Random random = viewRandom(request, block, number);
-        const RandomView tried = randomView(*scene, random, Sizes::UpTo1025);
-        const View view(tried.camera, tried.viewport);
-        if (strategy->promiseAt(view) == Promise::Approximate) continue;
-        GpuFrame frame(renderer, buffers, view);
-        const ViewStatePointer state = strategy->begin();
-        try {
-            strategy->draw(frame, *state);
-        } catch (const Error& error) {
-            if (error.kind() == ErrorKind::Interrupted || error.kind() == ErrorKind::OpenGl) throw;
-            ++result.refused;
-            continue;
+        const RandomView tried = randomView(*scene, random, Sizes::UpTo1025, kParallelShare);
+        TriedView view(renderer, buffers, View(tried.camera, tried.viewport));
+        for (size_t i = 0; i < results.size(); ++i) {
+            if (!built[i]) continue;
+            const uint64_t lost = view.lostBy(*built[i], results[i]);
+            if (lost > 0)
+                results[i].counterexamples.push_back(
+                    shrunkAndWritten(request, request.strategies[i], block, number, lost, {scene, tried}, renderer, progress));
         }
-        ++result.promised;
-        const Reference truth = itemBufferReference(renderer, buffers, view, strategy->referenceFacing());
-        result.coveredPixels += truth.coveredPixels;
-        Framebuffer target(tried.viewport);
-        const uint64_t lost = judge(renderer, buffers, frame.take(), truth, target).lostPixels();
-        if (lost > 0)
-            result.counterexamples.push_back(shrunkAndWritten(request, block, number, lost, {scene, tried}, renderer, progress));
     }
-    return result;
+    return results;
 }
 
-Certificate certify(const CertifyRequest& request, const Progress& progress) { return Run(request, progress).finish(); }
+std::vector<Certificate> certify(const CertifyRequest& request, const Progress& progress) {
+    return Run(request, progress).finish();
+}
 
 }  // namespace cullscope::certify

@@ -14,6 +14,8 @@ namespace cullscope::certify {
 
 /// Views are tried in blocks: a random scene and so many random views of it. A block's number is the seed of both.
 inline constexpr uint64_t kViewsOfABlock = 50;
+/// Of these views: a block's number gives others in another version. Since 2 some views are parallel ones.
+inline constexpr uint64_t kViewsVersion = 2;
 
 /// A scene and a view in which a strategy lost what it promises to keep.
 struct Counterexample {
@@ -38,6 +40,7 @@ struct Certificate {
     uint64_t refused = 0;            ///< views of scenes that it does not serve
     uint64_t coveredPixels = 0;      ///< of the views where it promises so
     std::vector<Counterexample> counterexamples{};
+    uint64_t viewsVersion = kViewsVersion;
 
     [[nodiscard]] bool ofShard(uint64_t block) const { return block % shards == shard - 1; }
     [[nodiscard]] uint64_t blocksDone() const;
@@ -46,34 +49,38 @@ struct Certificate {
 };
 
 struct CertifyRequest {
-    StrategyRequest strategy;
+    std::vector<StrategyRequest> strategies;  ///< tried at the same views, whose truth is drawn once
     uint64_t views = 10'000;
     uint64_t seed = 1;
     uint64_t shard = 1, shards = 1;
     std::filesystem::path state{};    ///< read where it is there, and written after every few seconds; empty: none
     std::filesystem::path cases{};    ///< folder for counterexamples; empty: none are written
     size_t threads = 0;               ///< 0: one for each processor
-    size_t mostCounterexamples = 10;  ///< after which it ends
+    size_t mostCounterexamples = 10;  ///< of all strategies, after which it ends
 };
 
 /// Tries random views on all processors, each thread with an OpenGL context of its own, until all blocks are done, a stop is
-/// requested, or there are enough counterexamples. Throws Error(Usage) where the state is of another request.
-[[nodiscard]] Certificate certify(const CertifyRequest& request, const Progress& progress = {});
+/// requested, or there are enough counterexamples. One certificate for each strategy, with the same blocks done. Throws
+/// Error(Usage) where there is no strategy, or one twice, or the state is of another request.
+[[nodiscard]] std::vector<Certificate> certify(const CertifyRequest& request, const Progress& progress = {});
 
-/// One block, on the calling thread with its current context. Nothing is written.
+/// One block, on the calling thread with its current context, of each strategy. Nothing is written.
 struct BlockResult {
     uint64_t views = 0, promised = 0, refused = 0, coveredPixels = 0;
-    std::vector<Counterexample> counterexamples;
+    std::vector<Counterexample> counterexamples{};
 };
-[[nodiscard]] BlockResult certifyBlock(const CertifyRequest& request, uint64_t block, Renderer& renderer,
-                                       const Progress& progress = {});
+[[nodiscard]] std::vector<BlockResult> certifyBlock(const CertifyRequest& request, uint64_t block, Renderer& renderer,
+                                                    const Progress& progress = {});
 
-[[nodiscard]] Certificate readCertificate(const std::filesystem::path& file);
-void writeCertificate(const std::filesystem::path& file, const Certificate& certificate);
+/// A file holds one certificate, or a list of those of several strategies.
+[[nodiscard]] std::vector<Certificate> readCertificates(const std::filesystem::path& file);
+void writeCertificates(const std::filesystem::path& file, const std::vector<Certificate>& certificates);
 [[nodiscard]] std::string certificateJson(const Certificate& certificate);
-/// The certificates of several shards, or of one, as one. Throws Error(Usage) where they are of other strategies, seeds or
-/// numbers of views, or two of them tried the same block.
-[[nodiscard]] Certificate merged(const std::vector<Certificate>& certificates);
+/// As a file holds them.
+[[nodiscard]] std::string certificatesJson(const std::vector<Certificate>& certificates);
+/// The certificates of several shards, or of one, as one for each strategy, in the order in which they come. Throws Error(Usage)
+/// where those of a strategy are of other seeds, numbers or versions of views, or two of them tried the same block.
+[[nodiscard]] std::vector<Certificate> merged(const std::vector<Certificate>& certificates);
 /// What they say, in a few lines.
 [[nodiscard]] std::string certificateText(const Certificate& certificate);
 

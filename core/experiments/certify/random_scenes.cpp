@@ -90,10 +90,12 @@ ScenePointer boxesScene(Random& random, const Vec3& byTransform, const Vec3& byO
     return sceneOf(std::move(meshes), places);
 }
 
-/// An orthonormal basis and the size of the view at distance 1.
+/// An orthonormal basis and half the size of the view: what it grows with each unit of distance, and of a parallel view what it
+/// is everywhere.
 struct Lens {
     Vec3 forward, right, up;
-    double tanHalfWidth, tanHalfHeight, nearDistance, farDistance;
+    double tanHalfWidth = 0.0, tanHalfHeight = 0.0, halfWidth = 0.0, halfHeight = 0.0;
+    double nearDistance, farDistance;
 };
 
 /// A point on a plane of the view (anywhere in it for plane 6), relative to the eye, between near and far.
@@ -112,7 +114,8 @@ Vec3 pointOnPlane(const Lens& lens, size_t plane, Random& random) {
         depth = lens.nearDistance;
     else if (plane == 5)
         depth = lens.farDistance;
-    return depth * (lens.forward + lens.right * (x * lens.tanHalfWidth) + lens.up * (y * lens.tanHalfHeight));
+    return depth * lens.forward + lens.right * (x * (lens.halfWidth + depth * lens.tanHalfWidth)) +
+           lens.up * (y * (lens.halfHeight + depth * lens.tanHalfHeight));
 }
 
 Vec3 normalOf(const Lens& lens, size_t plane) {
@@ -172,6 +175,11 @@ Angle randomField(Random& random) {
     return Angle::fromDegrees(random.between(10.0, 120.0));
 }
 
+/// The height of a parallel view: mostly one in which objects of these scenes are more than a point.
+double randomHeight(Random& random) {
+    return random.unit() < 0.7 ? logBetween(random, 0.01, 100.0) : logBetween(random, 1e-6, 1e9);
+}
+
 }  // namespace
 
 ScenePointer randomScene(uint64_t seed) {
@@ -182,7 +190,7 @@ ScenePointer randomScene(uint64_t seed) {
     return (boxes ? boxesScene : shapesScene)(random, byTransform ? offset : Vec3(0.0), byTransform ? Vec3(0.0) : offset);
 }
 
-RandomView randomView(const Scene& scene, Random& random, Sizes sizes) {
+RandomView randomView(const Scene& scene, Random& random, Sizes sizes, double parallelShare) {
     RandomView view;
     view.viewport = randomSize(random, sizes);
     Camera& camera = view.camera;
@@ -197,10 +205,22 @@ RandomView randomView(const Scene& scene, Random& random, Sizes sizes) {
     if (glm::length(glm::cross(forward, camera.up)) < 1e-4)
         camera.up = glm::cross(forward, Vec3(forward.y, forward.z, -forward.x));
 
-    Lens lens{forward, glm::normalize(glm::cross(forward, camera.up)), {}, 0, 0, camera.nearDistance, camera.farDistance};
+    Lens lens{.forward = forward,
+              .right = glm::normalize(glm::cross(forward, camera.up)),
+              .up = {},
+              .nearDistance = camera.nearDistance,
+              .farDistance = camera.farDistance};
     lens.up = glm::cross(lens.right, forward);
-    lens.tanHalfHeight = std::tan(camera.fovy.radians() / 2);
-    lens.tanHalfWidth = lens.tanHalfHeight * view.viewport.width / view.viewport.height;
+    const double shape = double(view.viewport.width) / view.viewport.height;
+    if (parallelShare > 0.0 && random.unit() < parallelShare) {
+        camera.projection = ProjectionKind::Parallel;
+        camera.height = randomHeight(random);
+        lens.halfHeight = camera.height / 2;
+        lens.halfWidth = lens.halfHeight * shape;
+    } else {
+        lens.tanHalfHeight = std::tan(camera.fovy.radians() / 2);
+        lens.tanHalfWidth = lens.tanHalfHeight * shape;
+    }
 
     const size_t instance = random.bits() % scene.instances().size();
     const double kind = random.unit();

@@ -21,8 +21,9 @@ enum class Sizes {
     UpTo1025    ///< each side from 1 to 1025, small ones as often as large ones
 };
 
-/// A view of a scene with near and far from 1e-6 to 1e9, and fields of view from 0.01° to 179°. In most of them an object touches
-/// one of the six planes to within 1e-12 … 1e-3 of its distance, from inside, from outside or across it.
-[[nodiscard]] RandomView randomView(const Scene& scene, Random& random, Sizes sizes);
+/// A view of a scene with near and far from 1e-6 to 1e9, and fields of view from 0.01° to 179°. A share of them, 0 to 1, are
+/// parallel views, 1e-6 to 1e9 high. In most views an object touches one of the six planes to within 1e-12 … 1e-3 of its
+/// distance, from inside, from outside or across it.
+[[nodiscard]] RandomView randomView(const Scene& scene, Random& random, Sizes sizes, double parallelShare = 0.0);
 
 }  // namespace cullscope::certify

@@ -53,6 +53,39 @@ ScenePointer withTriangles(const Scene& scene, const std::vector<uint32_t>& kept
     return std::make_shared<Scene>(scene.name(), std::move(meshes), std::move(instances));
 }
 
+/// A part of a parallel view's picture with the same pixels: `left` and `below` pixels lie beside it.
+RandomView partOf(const RandomView& whole, int left, int below, const Viewport& size) {
+    RandomView part = whole;
+    part.viewport = size;
+    Camera& camera = part.camera;
+    const Frustum frustum = View(whole.camera, whole.viewport).frustum();
+    const double pixel = camera.height / whole.viewport.height;
+    camera.height = pixel * size.height;
+    const Vec3 moved = pixel * ((left + (size.width - whole.viewport.width) / 2.0) * frustum.right +
+                                (below + (size.height - whole.viewport.height) / 2.0) * frustum.up);
+    camera.eye += moved;
+    camera.target += moved;
+    return part;
+}
+
+/// The same view in half the pixels across, upwards or both; and of a parallel one the halves of its picture.
+std::vector<RandomView> smallerViews(const RandomView& view) {
+    std::vector<RandomView> views;
+    const auto [width, height] = view.viewport;
+    for (const Viewport& size : {Viewport{width / 2, height / 2}, Viewport{width / 2, height}, Viewport{width, height / 2}}) {
+        if (size.width < 1 || size.height < 1 || size == view.viewport) continue;
+        views.push_back(view);
+        views.back().viewport = size;
+    }
+    if (view.camera.projection == ProjectionKind::Perspective) return views;
+    const int across = (width + 1) / 2, upwards = (height + 1) / 2;
+    if (across < width)
+        for (const int left : {0, width - across}) views.push_back(partOf(view, left, 0, {across, height}));
+    if (upwards < height)
+        for (const int below : {0, height - upwards}) views.push_back(partOf(view, 0, below, {width, upwards}));
+    return views;
+}
+
 class Shrinking {
 public:
     Shrinking(const StrategyRequest& strategy, Renderer& renderer, const Progress& progress)
@@ -98,14 +131,9 @@ public:
     void smallerPicture(Example& example) {
         for (bool less = true; less;) {
             less = false;
-            const Viewport size = example.view.viewport;
-            for (const Viewport& smaller : {Viewport{size.width / 2, size.height / 2}, Viewport{size.width / 2, size.height},
-                                            Viewport{size.width, size.height / 2}}) {
-                if (smaller.width < 1 || smaller.height < 1 || smaller == size) continue;
-                RandomView view = example.view;
-                view.viewport = smaller;
-                if (!loses(example.scene, view)) continue;
-                example.view = view;
+            for (const RandomView& smaller : smallerViews(example.view)) {
+                if (!loses(example.scene, smaller)) continue;
+                example.view = smaller;
                 less = true;
                 break;
             }
@@ -144,6 +172,8 @@ Tried tryView(const StrategyRequest& request, const ScenePointer& scene, const R
 Example shrunk(const StrategyRequest& strategy, Example example, Renderer& renderer, const Progress& progress) {
     Shrinking shrinking(strategy, renderer, progress);
     shrinking.leaveOut(example, example.scene->instances().size(), withObjects);
+    // As long as whole objects are lost: a single triangle may cover a pixel's centre in a picture of this size alone.
+    shrinking.smallerPicture(example);
     shrinking.leaveOut(example, example.scene->triangleCount(), withTriangles);
     shrinking.smallerPicture(example);
     shrinking.leaveOut(example, example.scene->triangleCount(), withTriangles);

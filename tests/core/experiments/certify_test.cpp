@@ -64,11 +64,11 @@ private:
 TEST_F(Certify, losslessStrategiesLoseNothing) {
     for (const char* text : {"frustum", "frustum-octree", "spherical-lossless", "occlusion-depth", "occlusion-masked",
                              "octree-query", "occlusion-chc", "occlusion-hiz", "oracle"}) {
-        CertifyRequest request{strategyFromText(text)};
+        CertifyRequest request{{strategyFromText(text)}};
         request.seed = 5;
         uint64_t promised = 0, covered = 0;
         for (uint64_t block = 0; block < howMany(200, 8); ++block) {
-            const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer());
+            const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer()).front();
             EXPECT_TRUE(result.counterexamples.empty()) << text << " block " << block;
             promised += result.promised;
             covered += result.coveredPixels;
@@ -83,10 +83,10 @@ TEST_F(Certify, methodsByOrderPromiseNothingWhereFloatsMoveWhatIsDrawn) {
     const std::vector<std::pair<const char*, std::vector<uint64_t>>> lossy{{"painter", {12, 28, 241, 291}},
                                                                            {"bsp", {74, 172, 231, 341}}};
     for (const auto& [text, blocks] : lossy) {
-        CertifyRequest request{strategyFromText(text)};
+        CertifyRequest request{{strategyFromText(text)}};
         request.seed = 78;
         for (const uint64_t block : blocks) {
-            const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer());
+            const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer()).front();
             EXPECT_TRUE(result.counterexamples.empty()) << text << " block " << block;
             EXPECT_GE(result.promised, 20u) << text << " block " << block << ": most views are ordinary";
             EXPECT_LT(result.promised, 50u) << text << " block " << block;
@@ -95,11 +95,11 @@ TEST_F(Certify, methodsByOrderPromiseNothingWhereFloatsMoveWhatIsDrawn) {
 }
 
 TEST_F(Certify, brokenPromiseIsFoundShrunkAndWritten) {
-    CertifyRequest request{liar()};
+    CertifyRequest request{{liar()}};
     request.cases = file("cases");
     size_t found = 0, shown = 0;
     for (uint64_t block = 0; block < 4 && found < 2; ++block) {
-        const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer());
+        const certify::BlockResult result = certify::certifyBlock(request, block, GlEnvironment::renderer()).front();
         for (const certify::Counterexample& one : result.counterexamples) {
             ++found;
             EXPECT_GT(one.lostPixels, 0u);
@@ -123,10 +123,10 @@ TEST_F(Certify, brokenPromiseIsFoundShrunkAndWritten) {
 }
 
 TEST_F(Certify, shardsTogetherAreTheWhole) {
-    CertifyRequest request{strategyFromText("frustum")};
+    CertifyRequest request{{strategyFromText("frustum")}};
     request.views = 4 * certify::kViewsOfABlock;
     request.threads = 2;
-    const Certificate whole = certify::certify(request);
+    const Certificate whole = certify::certify(request).front();
     EXPECT_TRUE(whole.complete());
     EXPECT_EQ(whole.views, request.views);
     std::vector<Certificate> parts;
@@ -134,10 +134,10 @@ TEST_F(Certify, shardsTogetherAreTheWhole) {
     for (request.shard = 1; request.shard <= 3; ++request.shard) {
         request.state = file("shard-" + std::to_string(request.shard) + ".json");
         (void)certify::certify(request);
-        parts.push_back(certify::readCertificate(request.state));
+        parts.push_back(certify::readCertificates(request.state).front());
         EXPECT_TRUE(parts.back().complete());
     }
-    const Certificate all = certify::merged(parts);
+    const Certificate all = certify::merged(parts).front();
     EXPECT_TRUE(all.complete());
     EXPECT_EQ(all.views, whole.views);
     EXPECT_EQ(all.promised, whole.promised);
@@ -148,14 +148,66 @@ TEST_F(Certify, shardsTogetherAreTheWhole) {
                     },
                     ErrorKind::Usage),
                 testing::HasSubstr("tried block 0"));
-    EXPECT_FALSE(certify::merged({parts[0], parts[1]}).complete());
+    EXPECT_FALSE(certify::merged({parts[0], parts[1]}).front().complete());
     parts[1].seed = 9;
     EXPECT_THAT(refusalOf([&] { (void)certify::merged(parts); }, ErrorKind::Usage), testing::HasSubstr("different runs"));
+    parts[1].seed = parts[0].seed;
+    parts[1].viewsVersion = 1;
+    EXPECT_THAT(refusalOf([&] { (void)certify::merged(parts); }, ErrorKind::Usage), testing::HasSubstr("different versions"));
     EXPECT_FALSE(refusalOf([] { (void)certify::merged({}); }, ErrorKind::Usage).empty());
 }
 
+TEST_F(Certify, strategiesTogetherAreTriedAsEachAlone) {
+    CertifyRequest both{{liar(), strategyFromText("spherical-lossless")}};
+    both.views = 2 * certify::kViewsOfABlock;
+    both.mostCounterexamples = 1'000;
+    both.state = file("both.json");
+    const std::vector<Certificate> together = certify::certify(both);
+    ASSERT_EQ(together.size(), 2u);
+    for (size_t i = 0; i < 2; ++i) {
+        CertifyRequest request{{both.strategies[i]}};
+        request.views = both.views;
+        request.mostCounterexamples = both.mostCounterexamples;
+        const Certificate alone = certify::certify(request).front();
+        EXPECT_EQ(together[i].strategy, alone.strategy);
+        EXPECT_EQ(together[i].promised, alone.promised);
+        EXPECT_EQ(together[i].coveredPixels, alone.coveredPixels);
+        EXPECT_EQ(together[i].counterexamples.size(), alone.counterexamples.size());
+        EXPECT_TRUE(together[i].complete());
+    }
+    EXPECT_GT(together[0].counterexamples.size(), 0u);
+    EXPECT_EQ(together[1].counterexamples.size(), 0u) << "what another strategy loses is not its loss";
+    std::vector<Certificate> kept = certify::readCertificates(both.state);
+    EXPECT_EQ(certify::certificatesJson(kept), certify::certificatesJson(together));
+    // Shards of several strategies are merged by strategy.
+    std::vector<Certificate> parts;
+    for (both.shard = 1, both.shards = 2; both.shard <= 2; ++both.shard) {
+        both.state.clear();
+        for (Certificate& one : certify::certify(both)) parts.push_back(std::move(one));
+    }
+    const std::vector<Certificate> all = certify::merged(parts);
+    ASSERT_EQ(all.size(), 2u);
+    for (size_t i = 0; i < 2; ++i) EXPECT_EQ(all[i].coveredPixels, together[i].coveredPixels);
+    both.strategies[1] = both.strategies[0];
+    EXPECT_THAT(refusalOf([&] { (void)certify::certify(both); }, ErrorKind::Usage), testing::HasSubstr("named twice"));
+    both.strategies.clear();
+    EXPECT_FALSE(refusalOf([&] { (void)certify::certify(both); }, ErrorKind::Usage).empty());
+}
+
+// The refined tests by separating axes went by the near distance alone, where OpenGL's depth of a parallel view still shows what
+// lies before it by a rounding of the far distance.
+TEST_F(Certify, parallelViewsLoseNothingBeforeTheNearPlaneThatOpenGlShows) {
+    CertifyRequest request{{strategyFromText("frustum-octree"), strategyFromText("octree-query"), strategyFromText("clusters")}};
+    request.seed = 5;
+    for (const uint64_t block : {23, 28})
+        for (const certify::BlockResult& result : certify::certifyBlock(request, block, GlEnvironment::renderer())) {
+            EXPECT_EQ(result.promised, certify::kViewsOfABlock);
+            EXPECT_TRUE(result.counterexamples.empty()) << block << ": " << result.counterexamples.front().lostPixels;
+        }
+}
+
 TEST_F(Certify, stoppedRunGoesOnWhereItWas) {
-    CertifyRequest request{strategyFromText("frustum")};
+    CertifyRequest request{{strategyFromText("frustum")}};
     request.views = 6 * certify::kViewsOfABlock;
     request.threads = 1;
     request.state = file("state.json");
@@ -164,28 +216,34 @@ TEST_F(Certify, stoppedRunGoesOnWhereItWas) {
     const Certificate first = certify::certify(request, {[&](double, std::string_view) {
                                                              if (++blocks == 2) stop.request_stop();
                                                          },
-                                                         stop.get_token()});
+                                                         stop.get_token()})
+                                  .front();
     EXPECT_EQ(first.blocksDone(), 2u);
     EXPECT_FALSE(first.complete());
-    const Certificate kept = certify::readCertificate(request.state);
+    const Certificate kept = certify::readCertificates(request.state).front();
     EXPECT_EQ(kept.done, first.done);
     EXPECT_EQ(kept.coveredPixels, first.coveredPixels);
     size_t further = 0;
-    const Certificate second = certify::certify(request, {[&](double, std::string_view) { ++further; }, {}});
+    const Certificate second = certify::certify(request, {[&](double, std::string_view) { ++further; }, {}}).front();
     EXPECT_EQ(further, 4u) << "what was done is not done again";
     EXPECT_TRUE(second.complete());
     request.state.clear();
-    EXPECT_EQ(certify::certify(request).coveredPixels, second.coveredPixels);
+    EXPECT_EQ(certify::certify(request).front().coveredPixels, second.coveredPixels);
     request.state = file("state.json");
     request.seed = 2;
     EXPECT_THAT(refusalOf([&] { (void)certify::certify(request); }, ErrorKind::Usage), testing::HasSubstr("another run"));
+    Certificate older = certify::readCertificates(request.state).front();
+    older.viewsVersion = 1;
+    certify::writeCertificates(request.state, {older});
+    request.seed = 1;
+    EXPECT_THAT(refusalOf([&] { (void)certify::certify(request); }, ErrorKind::Usage), testing::HasSubstr("another version"));
 }
 
 TEST_F(Certify, stateThatIsNoneIsRefused) {
     for (const char* text :
          {"", "[]", "{}", "{\"certificate\": 2}", "{\"certificate\": 1, \"views_of_a_block\": 50, \"strategy\": 3}"}) {
         std::ofstream(file("bad.json")) << text;
-        EXPECT_THAT(refusalOf([&] { (void)certify::readCertificate(file("bad.json")); }, ErrorKind::Input),
+        EXPECT_THAT(refusalOf([&] { (void)certify::readCertificates(file("bad.json")); }, ErrorKind::Input),
                     testing::HasSubstr("bad.json"))
             << text;
     }
@@ -194,8 +252,8 @@ TEST_F(Certify, stateThatIsNoneIsRefused) {
 TEST(RandomScenes, viewsHaveTheSizesAndFieldsThatAreSaid) {
     Random random(3);
     std::set<int> sizes;
-    double narrowest = 180, widest = 0, farthest = 0;
-    size_t mirrored = 0, flat = 0;
+    double narrowest = 180, widest = 0, farthest = 0, lowest = 1e300, highest = 0;
+    size_t mirrored = 0, flat = 0, parallel = 0;
     for (uint64_t seed = 0; seed < 40; ++seed) {
         const ScenePointer scene = certify::randomScene(seed);
         farthest = std::max(farthest, glm::length(scene->bounds().centre()));
@@ -206,11 +264,17 @@ TEST(RandomScenes, viewsHaveTheSizesAndFieldsThatAreSaid) {
             flat += std::abs(glm::determinant(linear)) < 1e-2 * std::pow(longest, 3) ? 1 : 0;
         }
         for (int i = 0; i < 50; ++i) {
-            const certify::RandomView view = certify::randomView(*scene, random, certify::Sizes::UpTo1025);
+            const certify::RandomView view = certify::randomView(*scene, random, certify::Sizes::UpTo1025, 0.2);
             for (const int side : {view.viewport.width, view.viewport.height}) {
                 ASSERT_GE(side, 1);
                 ASSERT_LE(side, 1025);
                 sizes.insert(side);
+            }
+            if (view.camera.projection == ProjectionKind::Parallel) {
+                ++parallel;
+                lowest = std::min(lowest, view.camera.height);
+                highest = std::max(highest, view.camera.height);
+                continue;
             }
             narrowest = std::min(narrowest, view.camera.fovy.degrees());
             widest = std::max(widest, view.camera.fovy.degrees());
@@ -220,6 +284,9 @@ TEST(RandomScenes, viewsHaveTheSizesAndFieldsThatAreSaid) {
     EXPECT_GT(sizes.size(), 200u);
     EXPECT_NEAR(narrowest, 0.01, 1e-9);
     EXPECT_NEAR(widest, 179, 1e-9);
+    EXPECT_NEAR(double(parallel), 400, 80);
+    EXPECT_LT(lowest, 1e-5);
+    EXPECT_GT(highest, 1e8);
     EXPECT_GT(farthest, 1e7);
     EXPECT_GT(mirrored, 20u);
     EXPECT_GT(flat, 20u);

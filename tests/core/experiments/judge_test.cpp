@@ -196,6 +196,10 @@ TEST_F(Suite, setsNameObjectsByNumberNameAndRange) {
     EXPECT_THAT(refusal(R"({"poses": []})"), HasSubstr("poses"));
     EXPECT_THAT(refusal(R"([1)"), HasSubstr("is not JSON"));
     EXPECT_THAT(refusal(R"({"fovy_deg": "x", "poses": [{"objects": []}]})"), HasSubstr("fovy_deg"));
+    EXPECT_THAT(refusal(R"({"projection": "flat", "poses": [{"objects": []}]})"), HasSubstr("\"projection\""));
+    EXPECT_THAT(refusal(R"({"projection": "parallel", "poses": [{"objects": []}]})"), HasSubstr("\"height\""));
+    EXPECT_THAT(refusal(R"({"projection": "parallel", "height": 0, "poses": [{"objects": [], "eye": [0,0,1]}]})"),
+                HasSubstr("height"));
     EXPECT_THAT(refusal(R"({"poses": [{"objects": [], "eye": [0,0]}]})"), HasSubstr("three numbers"));
     EXPECT_THAT(refusal(R"({"poses": [{"objects": [], "eye": [0,0,1], "target": [0,0,0]}, {"objects": []}]})"),
                 HasSubstr("some poses"));
@@ -210,6 +214,12 @@ TEST_F(Suite, setsAreReadAsTheyWereWritten) {
     ASSERT_EQ(sets.path.poses.size(), 1u);
     EXPECT_EQ(sets.path.camera(0), path.camera(0));
     EXPECT_EQ(cameraPath(file("sets.json").string(), *scene).camera(0), path.camera(0)) << "it is a camera path, too";
+    CameraPath parallel = path;
+    parallel.projection = ProjectionKind::Parallel;
+    parallel.height = 7.5;
+    writeDrawnSets(file("sets.json"), {"wall.obj", parallel, kSize, "two-sided", {{path.poses[0], {0, 2}, {}}}});
+    EXPECT_EQ(readDrawnSets(file("sets.json"), *scene).path.camera(0), parallel.camera(0));
+    EXPECT_EQ(cameraPath(file("sets.json").string(), *scene).camera(0), parallel.camera(0));
     JudgeRequest request{scene, path, sets, kSize};
     request.path.poses.push_back(path.poses[0]);
     EXPECT_THAT(refusalOf([&] { (void)suite::judgeDrawn(request, GlEnvironment::renderer()); }, ErrorKind::Input),

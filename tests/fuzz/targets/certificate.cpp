@@ -6,14 +6,18 @@ namespace cullscope::fuzz {
 
 void certificate(std::string_view input) {
     const std::filesystem::path file = fileOf(input, "state.json");
-    certify::Certificate read;
-    if (!acceptedFile(file, [&] { read = certify::readCertificate(file); })) return;
-    require(read.done.size() == read.blocks && read.shard >= 1 && read.shard <= read.shards, "blocks or shards that are none");
+    std::vector<certify::Certificate> all;
+    if (!acceptedFile(file, [&] { all = certify::readCertificates(file); })) return;
+    require(!all.empty(), "a file of no certificate");
+    for (const certify::Certificate& read : all) {
+        require(read.done.size() == read.blocks && read.shard >= 1 && read.shard <= read.shards,
+                "blocks or shards that are none");
+        require(!certify::certificateText(certify::merged({read}).front()).empty(), "a certificate that says nothing");
+    }
     // What a state says is what a run that goes on with it writes again.
-    const std::string text = certify::certificateJson(read);
-    require(certify::certificateJson(certify::readCertificate(fileOf(text, "again.json"))) == text,
-            "a certificate that is written is read back as another one");
-    require(!certify::certificateText(certify::merged({read})).empty(), "a certificate that says nothing");
+    const std::string text = certify::certificatesJson(all);
+    require(certify::certificatesJson(certify::readCertificates(fileOf(text, "again.json"))) == text,
+            "certificates that are written are read back as others");
 }
 
 }  // namespace cullscope::fuzz
