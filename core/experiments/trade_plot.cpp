@@ -31,7 +31,7 @@ std::vector<TradeFigure> allFigures() {
         if (std::ranges::find(figures, field.key, &TradeFigure::key) != figures.end()) continue;
         const std::string_view key = field.key;
         const bool waste = key.find("false_positive") != std::string_view::npos;
-        figures.push_back({field.key, field.title, field.scale, field.decimals + 1, true, !waste, !waste});
+        figures.push_back({field.key, field.title, field.scale, field.decimals + 1, true, !waste, !waste, false, field.meaning});
     }
     return figures;
 }

@@ -15,14 +15,15 @@ namespace cullscope {
 
 /// A figure of a run that may be an axis of the plot of what one thing costs in another.
 struct TradeFigure {
-    std::string key;       ///< of the cells of a run (rowCells), as in files
-    std::string title;     ///< English, marked for translation
-    double scale = 1.0;    ///< of what the axis shows
-    int decimals = 0;      ///< of what words show
-    bool least = false;    ///< less is better
-    bool decades = false;  ///< by powers of ten, with zero on a band of its own
-    bool ofLoss = false;   ///< zero says that no view lost anything: "0 (< 3/n)"
-    bool ofRatio = false;  ///< 1 is a baseline's
+    std::string key;        ///< of the cells of a run (rowCells), as in files
+    std::string title;      ///< English, marked for translation
+    double scale = 1.0;     ///< of what the axis shows
+    int decimals = 0;       ///< of what words show
+    bool least = false;     ///< less is better
+    bool decades = false;   ///< by powers of ten, with zero on a band of its own
+    bool ofLoss = false;    ///< zero says that no view lost anything: "0 (< 3/n)"
+    bool ofRatio = false;   ///< 1 is a baseline's
+    std::string meaning{};  ///< FieldFigure::meaning, of the field's figures
 };
 [[nodiscard]] const std::vector<TradeFigure>& tradeFigures();
 /// Throws Error(Usage) naming the known keys where there is no such figure.

@@ -11,10 +11,11 @@ namespace cullscope {
 
 /// A figure by which the literature states the errors of culling over a path: docs/measuring.md, "The field's figures".
 struct FieldFigure {
-    const char* key;     ///< field in files
-    const char* title;   ///< English, marked for translation, with the unit
-    int decimals = 0;    ///< digits after the point on screen
-    double scale = 1.0;  ///< factor on screen
+    const char* key;           ///< field in files
+    const char* title;         ///< English, marked for translation, with the unit
+    int decimals = 0;          ///< digits after the point on screen
+    double scale = 1.0;        ///< factor on screen
+    const char* meaning = "";  ///< English, marked for translation: what is counted, and of what
 };
 [[nodiscard]] std::span<const FieldFigure> fieldFigures();
 /// The place of the figure with a key among fieldFigures(), which has it.

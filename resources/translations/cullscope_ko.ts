@@ -119,6 +119,10 @@
         <source>The scene, as the active view showed it</source>
         <translation>활성 뷰에 보인 장면</translation>
     </message>
+    <message>
+        <source>Errors in the field&apos;s figures, with their 95 % intervals</source>
+        <translation>분야에서 쓰는 수치로 본 오류와 95 % 구간</translation>
+    </message>
 </context>
 <context>
     <name>Screenshot</name>
@@ -7719,6 +7723,74 @@
         <source>Whether triangles that hold no pixel centre or face away are left out of the drawn clusters one by one (where the picture has few pixels for each; not with occlusion=hiz).</source>
         <translation>그리는 클러스터에서 픽셀 중심이 없거나 등을 돌린 삼각형을 하나씩 제외할지 여부(그림에 삼각형마다 픽셀이 적을 때; occlusion=hiz에서는 아님).</translation>
     </message>
+    <message>
+        <source>The state files are of different versions: the same blocks are other views.</source>
+        <translation>상태 파일이 서로 다른 버전의 것입니다. 같은 블록이 다른 시점을 뜻합니다.</translation>
+    </message>
+    <message>
+        <source>%1 is named twice: name each strategy once.</source>
+        <translation>%1 전략이 두 번 나옵니다. 각 전략은 한 번만 적으십시오.</translation>
+    </message>
+    <message>
+        <source>Name the strategy to be certified.</source>
+        <translation>검증할 전략을 적으십시오.</translation>
+    </message>
+    <message>
+        <source>Of the visible triangles, those that were not drawn</source>
+        <translation>보이는 삼각형 중 그리지 않은 것</translation>
+    </message>
+    <message>
+        <source>Of the triangles that are not visible, those that were drawn</source>
+        <translation>보이지 않는 삼각형 중 그린 것</translation>
+    </message>
+    <message>
+        <source>Of the visible objects, those of which no triangle was drawn</source>
+        <translation>보이는 물체 중 삼각형을 하나도 그리지 않은 것</translation>
+    </message>
+    <message>
+        <source>Of the objects that are not visible, those of which a triangle was drawn</source>
+        <translation>보이지 않는 물체 중 삼각형을 하나라도 그린 것</translation>
+    </message>
+    <message>
+        <source>Of the pixels in which the truth has a surface, those in which the strategy has a farther one or none</source>
+        <translation>참값에 면이 있는 픽셀 중 전략에는 더 먼 면이 있거나 없는 것</translation>
+    </message>
+    <message>
+        <source>Of all pixels, those that show a farther or a nearer surface than the truth, or none</source>
+        <translation>모든 픽셀 중 참값보다 멀거나 가까운 면을 보이거나 면이 없는 것</translation>
+    </message>
+    <message>
+        <source>How often an object begins to lose pixels, in a thousand frames along the path</source>
+        <translation>경로를 따라 프레임 1,000개에서 물체가 픽셀을 잃기 시작하는 횟수</translation>
+    </message>
+    <message>
+        <source>The most pixels that an object loses in one frame of such an event, mean over the events</source>
+        <translation>그런 사건의 한 프레임에서 물체가 가장 많이 잃는 픽셀 수, 사건 평균</translation>
+    </message>
+    <message>
+        <source>For how many frames an object loses pixels in such an event, mean over the events</source>
+        <translation>그런 사건에서 물체가 픽셀을 잃는 프레임 수, 사건 평균</translation>
+    </message>
+    <message>
+        <source>Of all pixels, those that are lost in a frame or in the one before it, and not in both</source>
+        <translation>모든 픽셀 중 한 프레임과 그 앞 프레임 가운데 한쪽에서만 잃은 것</translation>
+    </message>
+    <message>
+        <source>Difference from the shaded picture of everything, mean of all pixels and colours, of the full range</source>
+        <translation>모두 그린 음영 그림과의 차이, 모든 픽셀과 색의 평균, 전체 범위 대비</translation>
+    </message>
+    <message>
+        <source>Pixels that one of both pictures alone covers, for each pixel of the outline: about the mean distance of both outlines</source>
+        <translation>두 그림 중 하나만 덮는 픽셀을 윤곽의 픽셀 수로 나눈 값: 두 윤곽의 평균 거리에 가깝습니다</translation>
+    </message>
+    <message>
+        <source>Difference from the shaded picture of everything that 99 % of the pixels do not exceed, of the full range</source>
+        <translation>모두 그린 음영 그림과의 차이 중 픽셀의 99 %가 넘지 않는 값, 전체 범위 대비</translation>
+    </message>
+    <message>
+        <source>Pixel errors of the view that has the largest share of them</source>
+        <translation>픽셀 오류의 비율이 가장 큰 시점의 값</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -7926,6 +7998,13 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>그 뒤 뷰가 바뀌었습니다. 다시 세는 중.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ColumnMenu</name>
+    <message>
+        <source>As at the First Start</source>
+        <translation>처음 시작할 때처럼</translation>
     </message>
 </context>
 <context>
@@ -10654,6 +10733,14 @@ sides [95 %]</source>
     <message>
         <source>↑ %1</source>
         <translation>↑ %1</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>열</translation>
+    </message>
+    <message>
+        <source>Which columns the table shows</source>
+        <translation>표에 보일 열</translation>
     </message>
 </context>
 <context>

@@ -119,6 +119,10 @@
         <source>The scene, as the active view showed it</source>
         <translation>活动视图所显示的场景</translation>
     </message>
+    <message>
+        <source>Errors in the field&apos;s figures, with their 95 % intervals</source>
+        <translation>以领域常用指标表示的误差及其 95 % 区间</translation>
+    </message>
 </context>
 <context>
     <name>Screenshot</name>
@@ -7719,6 +7723,74 @@
         <source>Whether triangles that hold no pixel centre or face away are left out of the drawn clusters one by one (where the picture has few pixels for each; not with occlusion=hiz).</source>
         <translation>是否从绘制的簇中逐个剔除不含像素中心或背向的三角形（当图像中每个三角形的像素很少时；occlusion=hiz 时不做）。</translation>
     </message>
+    <message>
+        <source>The state files are of different versions: the same blocks are other views.</source>
+        <translation>状态文件属于不同版本：相同的分块对应不同的视角。</translation>
+    </message>
+    <message>
+        <source>%1 is named twice: name each strategy once.</source>
+        <translation>%1 出现了两次：每个策略只写一次。</translation>
+    </message>
+    <message>
+        <source>Name the strategy to be certified.</source>
+        <translation>请写出要认证的策略。</translation>
+    </message>
+    <message>
+        <source>Of the visible triangles, those that were not drawn</source>
+        <translation>可见三角形中未绘制的</translation>
+    </message>
+    <message>
+        <source>Of the triangles that are not visible, those that were drawn</source>
+        <translation>不可见三角形中被绘制的</translation>
+    </message>
+    <message>
+        <source>Of the visible objects, those of which no triangle was drawn</source>
+        <translation>可见物体中一个三角形也未绘制的</translation>
+    </message>
+    <message>
+        <source>Of the objects that are not visible, those of which a triangle was drawn</source>
+        <translation>不可见物体中绘制了某个三角形的</translation>
+    </message>
+    <message>
+        <source>Of the pixels in which the truth has a surface, those in which the strategy has a farther one or none</source>
+        <translation>真值有表面的像素中，策略显示更远表面或无表面的</translation>
+    </message>
+    <message>
+        <source>Of all pixels, those that show a farther or a nearer surface than the truth, or none</source>
+        <translation>所有像素中，显示的表面比真值更远、更近或没有表面的</translation>
+    </message>
+    <message>
+        <source>How often an object begins to lose pixels, in a thousand frames along the path</source>
+        <translation>沿路径每 1,000 帧中物体开始丢失像素的次数</translation>
+    </message>
+    <message>
+        <source>The most pixels that an object loses in one frame of such an event, mean over the events</source>
+        <translation>此类事件中物体在一帧内丢失的最多像素数，按事件平均</translation>
+    </message>
+    <message>
+        <source>For how many frames an object loses pixels in such an event, mean over the events</source>
+        <translation>此类事件中物体丢失像素的帧数，按事件平均</translation>
+    </message>
+    <message>
+        <source>Of all pixels, those that are lost in a frame or in the one before it, and not in both</source>
+        <translation>所有像素中，仅在某一帧或其前一帧之一丢失的</translation>
+    </message>
+    <message>
+        <source>Difference from the shaded picture of everything, mean of all pixels and colours, of the full range</source>
+        <translation>与绘制全部的着色图像之差，所有像素和颜色的平均，占全范围</translation>
+    </message>
+    <message>
+        <source>Pixels that one of both pictures alone covers, for each pixel of the outline: about the mean distance of both outlines</source>
+        <translation>仅被两幅图像之一覆盖的像素数除以轮廓像素数：约为两条轮廓的平均距离</translation>
+    </message>
+    <message>
+        <source>Difference from the shaded picture of everything that 99 % of the pixels do not exceed, of the full range</source>
+        <translation>与绘制全部的着色图像之差中 99 % 像素不超过的值，占全范围</translation>
+    </message>
+    <message>
+        <source>Pixel errors of the view that has the largest share of them</source>
+        <translation>像素错误比例最大的视角的值</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -7926,6 +7998,13 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>视图已变化：正在重新统计。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ColumnMenu</name>
+    <message>
+        <source>As at the First Start</source>
+        <translation>恢复为首次启动时</translation>
     </message>
 </context>
 <context>
@@ -10654,6 +10733,14 @@ sides [95 %]</source>
     <message>
         <source>↑ %1</source>
         <translation>↑ %1</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Which columns the table shows</source>
+        <translation>表格显示哪些列</translation>
     </message>
 </context>
 <context>

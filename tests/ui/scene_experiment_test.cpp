@@ -83,7 +83,7 @@ TEST_F(Page, rowsOfThePageAreThoseOfTheTableEachStrategyOnce) {
     for (const ResultRow& row : rows) {
         const auto same = std::ranges::find(ofRuns, row.name, &ResultRow::name);
         ASSERT_NE(same, ofRuns.end()) << row.name.toStdString();
-        for (int column = 0; column < ResultTableModel::ColumnCount; ++column)
+        for (int column = 0; column < ResultTableModel::columns(); ++column)
             EXPECT_EQ(ResultTableModel::value(row, column), ResultTableModel::value(*same, column)) << column;
     }
     // Where the experiment's table says something else, so does the page.

@@ -91,7 +91,7 @@ TEST(ResultTable, whatIsNotMeasuredIsNoZero) {
     stale.strategy = test::request("frustum");
     stale.figures.state = ViewMetrics::State::Stale;
     model.setRows(liveRows({stale}));
-    for (int column = 1; column < ResultTableModel::ColumnCount; ++column)
+    for (int column = 1; column < ResultTableModel::columns(); ++column)
         EXPECT_EQ(cell(model, 0, column), QStringLiteral("–")) << column;
 }
 
@@ -115,10 +115,10 @@ TEST(RunFigures, leastLossIsClearlyApartFromNone) {
     EXPECT_GE(lossShare(1e-6), 0.2);
     EXPECT_LT(lossShare(100.0), lossShare(10'000.0));
     EXPECT_EQ(lossShare(1e6), 1.0);
-    EXPECT_EQ(ppmText(0.0), QStringLiteral("0"));
-    EXPECT_EQ(ppmText(0.043), QStringLiteral("0.043"));
-    EXPECT_EQ(ppmText(4.25), QStringLiteral("4.3"));
-    EXPECT_EQ(ppmText(1234.5), QStringLiteral("1,235"));
+    EXPECT_EQ(significantText(0.0), QStringLiteral("0"));
+    EXPECT_EQ(significantText(0.043), QStringLiteral("0.043"));
+    EXPECT_EQ(significantText(4.25), QStringLiteral("4.3"));
+    EXPECT_EQ(significantText(1234.5), QStringLiteral("1,235"));
 }
 
 TEST(ParetoPlot, nothingMissedHasABandOfItsOwnBelowEveryLoss) {

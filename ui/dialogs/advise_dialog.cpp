@@ -58,7 +58,7 @@ std::vector<RunFigures> pointsOf(const advice::Advice& advice) {
 QString missedWords(const advice::AdvisedStrategy& strategy) {
     const std::optional<double> rate = strategy.missedRate();
     if (!rate) return QStringLiteral("–");
-    return *rate > 0.0 ? ppmText(*rate * kPerMillion)
+    return *rate > 0.0 ? significantText(*rate * kPerMillion)
                        : translated(Message{CULLSCOPE_TR("0 (< 3/%1)"), {std::to_string(strategy.judgedViews)}});
 }
 

@@ -70,12 +70,12 @@ QStringList conclusionsOf(const std::vector<RunFigures>& runs) {
     const RunFigures* lossy = fastest(runs, [](const RunFigures& run) { return run.missedPpm.value_or(0.0) > 0.0; });
     if (lossy && surelyFaster(lossy->speedup) && (!safe || lossy->speedup.ratio > safe->speedup.ratio))
         sentences << Conclusion::tr("Faster, with losses: %1, %2; it loses %3 of a million pixels, most of them at pose %4.")
-                         .arg(lossy->label, speedOf(lossy->speedup), ppmText(*lossy->missedPpm), worstOf(*lossy));
+                         .arg(lossy->label, speedOf(lossy->speedup), significantText(*lossy->missedPpm), worstOf(*lossy));
     if (const QString headroom = headroomOf(runs, safe); !headroom.isEmpty()) sentences << headroom;
     for (const RunFigures& run : runs)
         if (run.promise != Promise::Approximate && run.missedPpm.value_or(0.0) > 0.0)
             sentences << Conclusion::tr("%1 promises to lose nothing and lost %2 of a million pixels: the promise is broken.")
-                             .arg(run.label, ppmText(*run.missedPpm));
+                             .arg(run.label, significantText(*run.missedPpm));
     const bool unmeasured = std::ranges::any_of(runs, [](const RunFigures& run) { return !run.missedPpm; });
     if (unmeasured) sentences << Conclusion::tr("Losses were not measured of every strategy.");
     if (sentences.isEmpty()) sentences << Conclusion::tr("Only baselines were measured: there is nothing to compare.");

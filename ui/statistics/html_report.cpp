@@ -72,15 +72,29 @@ QString facts(const MeasureResult& result) {
 
 QString resultTable(const MeasureResult& result) {
     QStringList titles;
-    for (int column = 0; column < ResultTableModel::ColumnCount; ++column) titles << ResultTableModel::title(column);
+    for (int column = 0; column < ResultTableModel::FirstFigure; ++column) titles << ResultTableModel::title(column);
     titles << QCoreApplication::translate("HtmlReport", "Promise");
     QString table = QStringLiteral("<div class=\"wide\"><table>\n") + cells(titles, QStringLiteral("th"));
     for (const ResultRow& row : resultRows(result)) {
         QStringList values;
-        for (int column = 0; column < ResultTableModel::ColumnCount; ++column) values << ResultTableModel::value(row, column);
+        for (int column = 0; column < ResultTableModel::FirstFigure; ++column) values << ResultTableModel::value(row, column);
         QString promise = promiseWord(row.promise);
         if (row.promiseBroken) promise += QCoreApplication::translate("HtmlReport", ": broken");
         values << promise;
+        table += cells(values, QStringLiteral("td"));
+    }
+    return table + QStringLiteral("</table></div>\n");
+}
+
+/// The field's figures by strategy: a line for each figure, since there are more of them than a page is wide.
+QString figureTable(const MeasureResult& result) {
+    const std::vector<ResultRow> rows = resultRows(result);
+    QStringList titles{QString()};
+    for (const ResultRow& row : rows) titles << row.name;
+    QString table = QStringLiteral("<div class=\"wide\"><table>\n") + cells(titles, QStringLiteral("th"));
+    for (int column = ResultTableModel::FirstFigure; column < ResultTableModel::columns(); ++column) {
+        QStringList values{ResultTableModel::title(column).simplified()};
+        for (const ResultRow& row : rows) values << ResultTableModel::value(row, column);
         table += cells(values, QStringLiteral("td"));
     }
     return table + QStringLiteral("</table></div>\n");
@@ -172,6 +186,8 @@ QString reportPage(const MeasureResult& result, const ReportParts& parts, const 
     page += heading(QCoreApplication::translate("HtmlReport", "The command that repeats it")) + QStringLiteral("<pre>") +
             parts.command.toHtmlEscaped() + QStringLiteral("</pre>\n");
     page += heading(QCoreApplication::translate("HtmlReport", "Results")) + resultTable(result);
+    page += heading(QCoreApplication::translate("HtmlReport", "Errors in the field's figures, with their 95 % intervals")) +
+            figureTable(result);
     for (size_t i = 0; i < parts.plots.size(); ++i)
         page += heading(parts.plots[i].title) + QStringLiteral("<figure>") + pictures.plot(parts.plots[i], i) +
                 QStringLiteral("</figure>\n");

@@ -27,8 +27,9 @@ QString PosePlot::title() const { return empty() ? subject() : QStringLiteral("%
 
 QString PosePlot::poseText(const PoseFigures& pose) const {
     QStringList lines{tr("Pose %1").arg(pose.pose), tr("Frame: %1").arg(millisecondsText(pose.frameMilliseconds))};
-    lines << (pose.missedPpm ? tr("Missed: %1 pixels, %2 per million").arg(countText(pose.missedPixels), ppmText(*pose.missedPpm))
-                             : tr("Missed: not measured"));
+    lines << (pose.missedPpm
+                  ? tr("Missed: %1 pixels, %2 per million").arg(countText(pose.missedPixels), significantText(*pose.missedPpm))
+                  : tr("Missed: not measured"));
     return lines.join(QLatin1Char('\n'));
 }
 

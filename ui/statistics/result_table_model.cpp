@@ -1,92 +1,35 @@
 #include "ui/statistics/result_table_model.h"
-#include "ui/text/terms.h"
 
 #include <QLocale>
 #include <algorithm>
-#include <set>
+#include <array>
 
-#include "core/experiments/sweeps.h"
+#include "core/experiments/trade_plot.h"
+#include "core/measure/field_figures.h"
 #include "ui/statistics/run_figures.h"
+#include "ui/text/terms.h"
+#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMillion = 1e6;
-
-ResultRow emptyRow(const StrategyRequest& strategy, Promise promise) {
-    ResultRow row;
-    row.name = strategyWords(strategy);
-    row.id = QString::fromStdString(strategy.id);
-    row.promise = promise;
-    return row;
+/// Of the columns from FirstFigure on.
+const std::vector<const TradeFigure*>& shownFigures() {
+    static const std::vector<const TradeFigure*> kShown = [] {
+        std::vector<const TradeFigure*> shown;
+        for (const FieldFigure& figure : fieldFigures())
+            if (std::string_view(figure.key) != kUsualUp) shown.push_back(&tradeFigure(figure.key));
+        return shown;
+    }();
+    return kShown;
 }
 
-/// A row of a sweep's table; what is not known there is empty.
-class SweepRow {
-public:
-    SweepRow(const ResultTable& table, size_t row) : m_table(table), m_row(row) {}
-
-    /// The strategy with the value that the row's sweep gives it.
-    [[nodiscard]] StrategyRequest strategy() const {
-        StrategyRequest request = strategyFromText(words("strategy").value_or(std::string()));
-        if (const std::optional<std::string> key = words("parameter")) request.parameters.setFromText(*key, *words("value"));
-        return request;
-    }
-    [[nodiscard]] std::optional<std::string> words(const char* key) const { return value<std::string>(key); }
-    [[nodiscard]] std::optional<double> number(const char* key) const { return value<double>(key); }
-    [[nodiscard]] std::optional<uint64_t> count(const char* key) const {
-        const std::optional<double> found = number(key);
-        return found ? std::optional(uint64_t(*found)) : std::nullopt;
-    }
-    [[nodiscard]] std::optional<RatioEstimate> estimate(const char* key) const { return value<RatioEstimate>(key); }
-
-private:
-    template <typename Value>
-    [[nodiscard]] std::optional<Value> value(const char* key) const {
-        const CellValue cell = m_table.value(m_row, key);
-        const auto* found = std::get_if<Value>(&cell);
-        return found != nullptr ? std::optional(*found) : std::nullopt;
-    }
-
-    const ResultTable& m_table;
-    size_t m_row;
-};
-
-Promise promiseOf(const std::optional<std::string>& id) {
-    for (const Promise promise : {Promise::Exact, Promise::Conservative})
-        if (id == promiseId(promise)) return promise;
-    return Promise::Approximate;
-}
-
-/// `missed`: all missed pixels, `beyond`: those of them that the raster's snapping does not explain, where it may explain some.
-/// `rate`: of `missed`.
-void countLoss(ResultRow& row, const std::optional<uint64_t>& missed, const std::optional<uint64_t>& beyond,
-               const std::optional<double>& rate) {
-    row.missedPixels = beyond ? beyond : missed;
-    if (missed && beyond) row.withinSnapping = *missed - *beyond;
-    if (!rate) return;
-    const double lost = beyond && missed && *missed > 0 ? double(*beyond) / double(*missed) : 1.0;
-    row.missedPpm = kMillion * *rate * lost;
-}
-
-ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
-    ResultRow row = emptyRow(strategy, promiseOf(measured.words("promise")));
-    row.speedup = measured.estimate("ratio_to_same_sides");
-    row.baseline = measured.words("same_sides_baseline").value_or("");
-    row.headroomShare = measured.estimate("headroom_share");
-    row.speedupOverFrontFaces = measured.estimate("ratio_to_backface");
-    row.speedupOverTriangles = measured.estimate("ratio_to_all");
-    row.fpsOverall = measured.number("fps_overall");
-    row.fpsMin = measured.number("fps_min");
-    row.fpsMax = measured.number("fps_max");
-    row.cullShare = measured.number("cull_share");
-    if (const std::optional<double> culled = measured.number("culled_fraction")) row.submittedShare = 1.0 - *culled;
-    countLoss(row, measured.count("missed_pixels"), measured.count("missed_beyond_snapping"),
-              measured.number("missed_pixel_rate"));
-    if (row.missedPixels != uint64_t{0}) row.worstPose = measured.count("worst_pose");
-    return row;
+/// None of a column before those of the figures.
+const TradeFigure* figureOf(int column) {
+    const int number = column - ResultTableModel::FirstFigure;
+    return number >= 0 && size_t(number) < shownFigures().size() ? shownFigures()[size_t(number)] : nullptr;
 }
 
 QString speed(const std::optional<RatioEstimate>& estimate) {
@@ -103,51 +46,29 @@ QString shareText(const std::optional<RatioEstimate>& share) {
     return QStringLiteral("%1 % [%2, %3]").arg(whole(share->ratio), whole(share->ci95[0]), whole(share->ci95[1]));
 }
 
+/// "0.31 [0.2, 0.4]", in the figure's unit.
+QString figureText(const ResultRow& row, const TradeFigure& figure) {
+    const auto found = row.figures.find(figure.key);
+    if (found == row.figures.end()) return {};
+    const auto words = [&](double value) { return significantText(figure.scale * value); };
+    const RatioEstimate& estimate = found->second;
+    if (!estimate.hasInterval) return words(estimate.ratio);
+    return QStringLiteral("%1 [%2, %3]").arg(words(estimate.ratio), words(estimate.ci95[0]), words(estimate.ci95[1]));
+}
+
+/// With a capital, and broken at the space nearest to its middle, as far as it has one.
+QString asHeader(QString title) {
+    if (!title.isEmpty()) title[0] = title[0].toUpper();
+    qsizetype best = -1;
+    for (qsizetype i = 0; i < title.size(); ++i)
+        if (title[i].isSpace() && (best < 0 || std::abs(2 * i - title.size()) < std::abs(2 * best - title.size()))) best = i;
+    if (best >= 0) title[best] = QLatin1Char('\n');
+    return title;
+}
+
 QString percent(const std::optional<double>& share) { return share ? percentText(*share) + QStringLiteral(" %") : QString(); }
 
 }  // namespace
-
-std::vector<ResultRow> resultRows(const ResultTable& table) {
-    std::vector<ResultRow> rows;
-    std::set<std::string> known;
-    for (size_t i = 0; i < table.rows.size(); ++i) {
-        const SweepRow measured(table, i);
-        const StrategyRequest strategy = measured.strategy();
-        const std::string text = strategyText(strategy);
-        if (!known.insert(text).second) continue;
-        rows.push_back(resultRow(measured, strategy));
-        rows.back().promiseBroken = std::ranges::find(table.brokenPromises, text) != table.brokenPromises.end();
-    }
-    return rows;
-}
-
-std::vector<ResultRow> resultRows(const MeasureResult& result) {
-    const Experiment experiment = sweepExperiment({});
-    ResultTable table = emptyTable(experiment);
-    addRuns(table, experiment, experiment.settings.front(), result);
-    return resultRows(table);
-}
-
-std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
-    std::vector<ResultRow> rows;
-    for (const LiveFigures& view : views) {
-        ResultRow row = emptyRow(view.strategy, view.promise);
-        row.name = view.view + QStringLiteral(" · ") + row.name;
-        const ViewMetrics& figures = view.figures;
-        if (figures.state == ViewMetrics::State::Ready && figures.frameMilliseconds > 0.0) {
-            row.speedup = figures.speedup;
-            row.baseline = figures.baseline;
-            row.speedupOverFrontFaces = figures.speedupOverFrontFaces;
-            row.fpsOverall = 1000.0 / figures.frameMilliseconds;
-            row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;
-            row.submittedShare = figures.submittedShare();
-            countLoss(row, figures.accuracy.missedPixels, figures.missedBeyondSnapping, figures.accuracy.missedPixelRate());
-            row.promiseBroken = view.promise != Promise::Approximate && figures.lostPixels() > 0;
-        }
-        rows.push_back(std::move(row));
-    }
-    return rows;
-}
 
 void ResultTableModel::setRows(std::vector<ResultRow> rows) {
     // Partial results arrive ten times a second: an update of existing rows keeps the selection and the scroll position.
@@ -158,7 +79,17 @@ void ResultTableModel::setRows(std::vector<ResultRow> rows) {
         return;
     }
     m_rows = std::move(rows);
-    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns() - 1));
+}
+
+int ResultTableModel::columns() { return FirstFigure + int(shownFigures().size()); }
+
+QString ResultTableModel::id(int column) {
+    static constexpr std::array<const char*, FirstFigure> kIds{"strategy", "speed",     "headroom",   "speed-against-all",
+                                                               "fps",      "fps-range", "cull-share", "submitted",
+                                                               "missed",   "snapped",   "missed-ppm", "worst-view"};
+    if (const TradeFigure* const figure = figureOf(column)) return QString::fromStdString(figure->key);
+    return QString::fromLatin1(kIds[size_t(column)]);
 }
 
 QString ResultTableModel::title(int column) {
@@ -188,7 +119,8 @@ QString ResultTableModel::title(int column) {
         case Worst:
             return tr("Worst\nview");
         default:
-            return {};
+            const TradeFigure* const figure = figureOf(column);
+            return figure != nullptr ? asHeader(translated(figure->title)) : QString();
     }
 }
 
@@ -227,7 +159,8 @@ QString ResultTableModel::explanation(int column) {
         case Worst:
             return tr("The pose with the most missed pixels; double-click to fly there");
         default:
-            return {};
+            const TradeFigure* const figure = figureOf(column);
+            return figure != nullptr ? translated(figure->meaning) : QString();
     }
 }
 
@@ -271,11 +204,12 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
         case Snapped:
             return row.withinSnapping ? countText(*row.withinSnapping) : QString();
         case MissedPpm:
-            return row.missedPpm ? ppmText(*row.missedPpm) : QString();
+            return row.missedPpm ? significantText(*row.missedPpm) : QString();
         case Worst:
             return row.worstPose ? QString::number(*row.worstPose) : QString();
         default:
-            return {};
+            const TradeFigure* const figure = figureOf(column);
+            return figure != nullptr ? figureText(row, *figure) : QString();
     }
 }
 
@@ -299,7 +233,7 @@ QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ResultTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
+    if (orientation != Qt::Horizontal || section < 0 || section >= columns()) return {};
     if (role == Qt::DisplayRole) return title(section);
     if (role == Qt::ToolTipRole) return explanation(section);
     if (role == Qt::TextAlignmentRole) return int((section == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
@@ -307,8 +241,8 @@ QVariant ResultTableModel::headerData(int section, Qt::Orientation orientation, 
 }
 
 void ResultTableModel::retranslate() {
-    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
-    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+    emit headerDataChanged(Qt::Horizontal, 0, columns() - 1);
+    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns() - 1));
 }
 
 }  // namespace cullscope::ui

@@ -1,48 +1,13 @@
 #pragma once
 
 #include <QAbstractTableModel>
-#include <optional>
 #include <vector>
 
-#include "core/experiments/result_table.h"
-#include "core/measure/meter.h"
-#include "ui/jobs/view_metrics.h"
+#include "ui/statistics/result_rows.h"
 
 namespace cullscope::ui {
 
-/// The metrics of one view's strategy at the present camera.
-struct LiveFigures {
-    QString view;  ///< the view's letter, "A"
-    StrategyRequest strategy;
-    Promise promise = Promise::Approximate;
-    ViewMetrics figures;
-};
-
-/// One row of the table of results; unknown values are empty.
-struct ResultRow {
-    QString name;  ///< translated, with the parameters that differ from the defaults
-    QString id;
-    Promise promise = Promise::Approximate;
-    bool promiseBroken = false;
-    std::optional<RatioEstimate> speedup;                                      ///< over the baseline that draws the same sides,
-    std::string baseline;                                                      ///< which is this one
-    std::optional<RatioEstimate> headroomShare;                                ///< of the time that any culling could save
-    std::optional<RatioEstimate> speedupOverTriangles, speedupOverFrontFaces;  ///< over `all` and over `backface`
-    std::optional<double> fpsOverall, fpsMin, fpsMax;
-    std::optional<double> cullShare, submittedShare;
-    std::optional<uint64_t> missedPixels;    ///< that are lost: without those that the raster's snapping explains
-    std::optional<uint64_t> withinSnapping;  ///< those; none: it cannot explain any
-    std::optional<double> missedPpm;         ///< of the lost ones
-    std::optional<size_t> worstPose;         ///< pose with the most missed pixels; none if no pixel is lost
-};
-
-/// The rows of a sweep's table (sweepExperiment), each strategy once, though several sweeps contain it.
-[[nodiscard]] std::vector<ResultRow> resultRows(const ResultTable& table);
-/// The same of a measurement whose strategies no sweep varies.
-[[nodiscard]] std::vector<ResultRow> resultRows(const MeasureResult& result);
-[[nodiscard]] std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views);
-
-/// One row per strategy: its speed and its losses.
+/// One row per strategy: its speed and its losses, and behind them the field's figures.
 class ResultTableModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -60,8 +25,10 @@ public:
         Snapped,
         MissedPpm,
         Worst,
-        ColumnCount
+        FirstFigure  ///< of the field's, in their order, without the one that MissedPpm shows
     };
+    /// How many, figures included.
+    [[nodiscard]] static int columns();
     /// The number of the worst pose as an int, if there is one.
     static constexpr int kPoseRole = Qt::UserRole;
 
@@ -73,11 +40,13 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override {
         return parent.isValid() ? 0 : int(m_rows.size());
     }
-    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : columns(); }
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void retranslate();
 
+    /// The name of a column in settings, the same in every language.
+    [[nodiscard]] static QString id(int column);
     [[nodiscard]] static QString title(int column);
     [[nodiscard]] static QString value(const ResultRow& row, int column);
 

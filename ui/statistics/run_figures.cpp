@@ -72,10 +72,10 @@ double lossShare(double missedPpm) {
     return std::clamp((std::log10(missedPpm) + 1.0) / 6.0, kLeastLossShare, 1.0);
 }
 
-QString ppmText(double missedPpm) {
-    if (missedPpm <= 0.0) return QStringLiteral("0");
-    const int digits = missedPpm >= 9.95 ? 0 : std::min(6, 1 - int(std::floor(std::log10(missedPpm))));
-    return QLocale().toString(missedPpm, 'f', digits);
+QString significantText(double value) {
+    if (value <= 0.0) return QStringLiteral("0");
+    const int digits = value >= 9.95 ? 0 : std::min(6, 1 - int(std::floor(std::log10(value))));
+    return QLocale().toString(value, 'f', digits);
 }
 
 }  // namespace cullscope::ui

@@ -54,7 +54,7 @@ struct RunFigures {
 /// something is missed.
 [[nodiscard]] double lossShare(double missedPpm);
 
-/// "0.4 ppm" without the unit: two significant digits, "0" only for nothing.
-[[nodiscard]] QString ppmText(double missedPpm);
+/// A number above 0 with two significant digits, "0" only for nothing: "0.4", "12".
+[[nodiscard]] QString significantText(double value);
 
 }  // namespace cullscope::ui

@@ -8,6 +8,7 @@
 
 #include "ui/look/wheel_guard.h"
 #include "ui/plots/result_exporter.h"
+#include "ui/statistics/column_menu.h"
 #include "ui/statistics/flow_layout.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/path_plot.h"
@@ -42,6 +43,8 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       m_pages(new QStackedWidget(this)),
       m_tablePage(new QStackedWidget(this)),
       m_table(new QTableView(this)),
+      m_columns(nullptr),
+      m_chooseColumns(new QToolButton(this)),
       m_tableEmpty(new QLabel(this)),
       m_model(new ResultTableModel(this)),
       m_race(new QTableWidget(this)),
@@ -92,8 +95,8 @@ void StatisticsPanel::setUpBars() {
     m_export->setPopupMode(QToolButton::InstantPopup);
     m_export->setMenu(m_menu);
     for (QComboBox* box : {m_source, m_run}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_across, m_up, m_export, m_summary, m_software})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_tabs, m_source, m_chooseColumns, m_run, m_across, m_up, m_export,
+                                                           m_summary, m_software})
         line->addWidget(widget);
     for (QWidget* field : std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_across, m_up})
         leaveWheelUnlessFocused(*field);
@@ -120,6 +123,9 @@ void StatisticsPanel::setUpBars() {
 
 void StatisticsPanel::setUpTable() {
     m_table->setModel(m_model);
+    m_columns = new ColumnMenu(*m_table);
+    m_chooseColumns->setPopupMode(QToolButton::InstantPopup);
+    m_chooseColumns->setMenu(m_columns);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setShowGrid(false);
     m_table->setAlternatingRowColors(true);
@@ -261,7 +267,10 @@ void StatisticsPanel::retranslate() {
     const std::array<QString, 6> files{tr("Frames as CSV…"), tr("Result as JSON…"), tr("Plot as SVG…"),
                                        tr("Plot as PDF…"),   tr("Report as HTML…"), tr("Report as PDF…")};
     for (qsizetype i = 0; i < m_menu->actions().size(); ++i) m_menu->actions()[i]->setText(files[size_t(i)]);
+    m_chooseColumns->setText(tr("Columns"));
+    m_chooseColumns->setToolTip(tr("Which columns the table shows"));
     m_model->retranslate();
+    m_columns->retranslate();
     refresh();
 }
 

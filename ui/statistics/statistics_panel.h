@@ -22,6 +22,7 @@
 
 namespace cullscope::ui {
 
+class ColumnMenu;
 class ParetoPlot;
 class PathPlot;
 class PlotWidget;
@@ -134,6 +135,8 @@ private:
     QStackedWidget* m_pages;
     QStackedWidget* m_tablePage;  ///< the table, or a hint while it is empty
     QTableView* m_table;
+    ColumnMenu* m_columns;
+    QToolButton* m_chooseColumns;
     QLabel* m_tableEmpty;
     ResultTableModel* m_model;
     QTableWidget* m_race;           ///< each strategy of the experiment against each

@@ -50,9 +50,12 @@ void StatisticsPanel::retranslateAxes() {
     m_up->setAccessibleName(tr("Figure upwards"));
     for (QComboBox* box : {m_across, m_up}) {
         box->setToolTip(box->accessibleName());
-        for (int i = 0; i < box->count(); ++i)
+        for (int i = 0; i < box->count(); ++i) {
+            const TradeFigure& figure = tradeFigures()[size_t(i)];
             //: An axis of a plot and its figure.
-            box->setItemText(i, (box == m_across ? tr("→ %1") : tr("↑ %1")).arg(translated(tradeFigures()[size_t(i)].title)));
+            box->setItemText(i, (box == m_across ? tr("→ %1") : tr("↑ %1")).arg(translated(figure.title)));
+            if (!figure.meaning.empty()) box->setItemData(i, translated(figure.meaning), Qt::ToolTipRole);
+        }
     }
 }
 

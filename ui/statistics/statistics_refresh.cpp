@@ -110,6 +110,7 @@ void StatisticsPanel::refreshPoses() {
 void StatisticsPanel::refreshControls() {
     const int tab = m_tabs->currentIndex();
     m_source->setVisible(tab == Table || tab == Times);
+    m_chooseColumns->setVisible(tab == Table);
     for (QComboBox* box : {m_across, m_up}) box->setVisible(tab == Pareto);
     m_run->setVisible((tab == Poses || tab == Sphere) && m_run->count() > 0);
     const bool measured = m_result && measuredPoses(*m_result) > 0;
