@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "app/cullbench/certify_workers.h"
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
@@ -15,6 +16,7 @@ struct CertifyOptions {
     std::vector<std::string> strategies, parameters, merge;
     uint64_t views = 10'000, seed = 1;
     size_t threads = 0;
+    bool worker = false;
 };
 
 /// "I/N", both from 1.
@@ -46,6 +48,14 @@ void merge(const CertifyOptions& options, Context& context) {
     report(certify::merged(certificates), options.json, context);
 }
 
+std::vector<std::string> wordsOfWorkers(const CertifyOptions& options) {
+    std::vector<std::string> words{"certify", "--worker", "--seed", std::to_string(options.seed)};
+    words.insert(words.end(), options.strategies.begin(), options.strategies.end());
+    for (const std::string& parameter : options.parameters) words.insert(words.end(), {"-p", parameter});
+    if (!options.cases.empty()) words.insert(words.end(), {"--cases", options.cases});
+    return words;
+}
+
 void run(const CertifyOptions& options, Context& context) {
     checkOutputPlaces({options.json});
     if (!options.merge.empty()) {
@@ -62,9 +72,13 @@ void run(const CertifyOptions& options, Context& context) {
     request.state = options.state;
     request.cases = options.cases;
     request.threads = options.threads;
-    // Every thread draws small pictures with an OpenGL of its own. Mesa's software OpenGL would divide each of them among all
-    // processors again, which takes twice as long.
-    if (options.threads != 1) setenv("LP_NUM_THREADS", "0", 0);
+    if (options.worker) return tryBlocksOfParent(request, context.stop);
+    if (options.threads != 1) {
+        // Mesa's software OpenGL would divide each of the workers' small pictures among all processors again, which takes twice
+        // as long.
+        setenv("LP_NUM_THREADS", "0", 0);
+        request.trier = [words = wordsOfWorkers(options)] { return workerProcess(words); };
+    }
     {
         const HeadlessContext gl;
         for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
@@ -90,10 +104,13 @@ void addCertifyCommand(CLI::App& app, Context& context) {
     command->add_option("--shard", options->shard, "I/N: the I-th of N parts of the work, from 1");
     command->add_option("--state", options->state, "file that keeps what is done; a run that is there is gone on with");
     command->add_option("--cases", options->cases, "folder for counterexamples, shrunk and written as scenes");
-    command->add_option("--threads", options->threads, "threads, each with an OpenGL of its own (default: one a processor)")
+    command
+        ->add_option("--threads", options->threads,
+                     "how many blocks at once, each in a process of its own (default: one a processor)")
         ->check(CLI::Range(size_t{1}, size_t{1024}));
     command->add_option("--merge", options->merge, "state files of shards, to be put together");
     command->add_option("--json", options->json, "result file; - is standard output");
+    command->add_flag("--worker", options->worker)->group("");
     command->callback([options, &context] { run(*options, context); });
 }
 

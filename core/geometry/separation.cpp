@@ -168,7 +168,9 @@ bool separated(const Frustum& frustum, const Sphere& eyeSphere, double margin) {
 
 bool meetsNearRectangle(const Frustum& frustum, const EyeBox& box, double margin) {
     Frustum rectangle = frustum;
-    rectangle.farDistance = frustum.nearDistance;
+    // Of a parallel view as thick as the rounding of its depth.
+    rectangle.nearDistance = frustum.leastDistance();
+    rectangle.farDistance = 2.0 * frustum.nearDistance - frustum.leastDistance();
     const EyeBox grown{box.centre, box.halfExtent + margin};
     const CameraFrustum camera(rectangle, farthestOf(grown));
     const CameraBox object = inCamera(rectangle, camera, grown, 0.0);

@@ -47,7 +47,7 @@ namespace cullscope {
 }
 
 /// Whether a point of the box, grown by `margin` on each side, lies on the frustum's near rectangle. Never false where one does;
-/// true where none does only within rounding.
+/// true where none does only within rounding, that of the depth (depthRoom) in a parallel view.
 [[nodiscard]] bool meetsNearRectangle(const Frustum& frustum, const EyeBox& box, double margin);
 
 }  // namespace cullscope

@@ -1,6 +1,7 @@
 #include "core/visibility/displaced_surfaces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/geometry/clip_polygon.h"
 #include "core/visibility/eye_bounds.h"
@@ -30,11 +31,27 @@ bool showsNearer(const Scene& scene, uint32_t number, const View& view, double d
     return false;
 }
 
+/// surfacesStandStill of a parallel view: no object of which it may show anything is displaced farther.
+bool standStillInParallel(const Scene& scene, const View& view) {
+    const Frustum& frustum = view.frustum();
+    const double pixel = 2.0 * std::min(frustum.halfWidth / view.viewport().width, frustum.halfHeight / view.viewport().height);
+    for (uint32_t i = 0; i < scene.instances().size(); ++i) {
+        const EyeBounds bounds = boundsFromEye(scene, i, view.eye());
+        const Vec3& centre = bounds.sphere.centre;
+        const double aside = std::hypot(glm::dot(frustum.right, centre), glm::dot(frustum.up, centre)) + bounds.sphere.radius;
+        const double displaced = 0x1p-21 * aside + scene.pictureRounding(scene.instances()[i]);
+        if (displaced <= kMostDisplacedPixels * pixel) continue;
+        const auto rejects = [&](const Plane& plane) { return farthestInside(plane, bounds) < -bounds.margin; };
+        if (std::ranges::none_of(frustum.planes, rejects)) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 bool surfacesStandStill(const Scene& scene, const View& view) {
     const Frustum& frustum = view.frustum();
-    if (frustum.parallel()) return true;
+    if (frustum.parallel()) return standStillInParallel(scene, view);
     const Viewport& size = view.viewport();
     const double pixel = 2.0 * std::min(frustum.tanHalfWidth / size.width, frustum.tanHalfHeight / size.height);
     for (uint32_t i = 0; i < scene.instances().size(); ++i) {

@@ -51,6 +51,20 @@ struct EyeBounds {
     return glm::dot(frustum.forward, box.centre) - glm::dot(glm::abs(frustum.forward), box.halfExtent);
 }
 
+/// Whether OpenGL draws a box where it is: its coordinates are numbers of float, and it is at most 2^16 times as wide or high as
+/// the view at its nearest distance that is seen. The corners that clipping makes are interpolated in float along its edges: of a
+/// larger box they may miss the view, though the box covers it.
+[[nodiscard]] inline bool isDrawnInPlace(const EyeBox& box, const Frustum& frustum) {
+    constexpr double kMostViews = 0x1p16;
+    if (!(glm::length(box.centre) + glm::length(box.halfExtent) < 1e30)) return false;
+    const double nearest = std::max(nearestAhead(box, frustum), frustum.nearDistance);
+    const auto reach = [&](const Vec3& axis) {
+        return std::abs(glm::dot(axis, box.centre)) + glm::dot(glm::abs(axis), box.halfExtent);
+    };
+    return reach(frustum.right) <= kMostViews * frustum.halfWidthAt(nearest) &&
+           reach(frustum.up) <= kMostViews * frustum.halfHeightAt(nearest);
+}
+
 /// A pixel's width in world units at the box's farthest distance ahead: by so much a box grows before OpenGL is asked about it.
 [[nodiscard]] inline double pixelAtFarthest(const EyeBox& box, const View& view) {
     const double farthest = std::max(farthestAhead(box, view.frustum()), 0.0);

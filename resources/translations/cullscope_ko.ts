@@ -7791,6 +7791,10 @@
         <source>Pixel errors of the view that has the largest share of them</source>
         <translation>픽셀 오류의 비율이 가장 큰 시점의 값</translation>
     </message>
+    <message>
+        <source>These are no results of a block of cullbench certify: %1</source>
+        <translation>cullbench certify의 블록 결과가 아닙니다: %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8003,7 +8007,7 @@ OpenGL %2
 <context>
     <name>cullscope::ui::ColumnMenu</name>
     <message>
-        <source>As at the First Start</source>
+        <source>As at the first start</source>
         <translation>처음 시작할 때처럼</translation>
     </message>
 </context>

@@ -7791,6 +7791,10 @@
         <source>Pixel errors of the view that has the largest share of them</source>
         <translation>像素错误比例最大的视角的值</translation>
     </message>
+    <message>
+        <source>These are no results of a block of cullbench certify: %1</source>
+        <translation>这不是 cullbench certify 的分块结果：%1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8003,7 +8007,7 @@ OpenGL %2
 <context>
     <name>cullscope::ui::ColumnMenu</name>
     <message>
-        <source>As at the First Start</source>
+        <source>As at the first start</source>
         <translation>恢复为首次启动时</translation>
     </message>
 </context>

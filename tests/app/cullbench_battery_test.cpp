@@ -106,9 +106,48 @@ TEST_F(CullbenchContract, certifiedShardsAreMergedAndGoOn) {
     expectRefusal(cullbench({"certify", "frustum", "--shard", "3/2"}), 2, "--shard 3/2");
     expectRefusal(cullbench({"certify", "frustum", "--merge", file("shard-1.json")}), 2, "--merge");
     expectRefusal(cullbench({"certify", "frustum", "--state", file("shard-1.json")}), 2, "another run");
-    const ProcessResult nothing = cullbench({"certify", "spherical", "--views", "50"});
+    const ProcessResult nothing = cullbench({"certify", "level-of-detail", "--views", "50"});
     EXPECT_EQ(nothing.exitStatus, 0);
     EXPECT_THAT(nothing.out, HasSubstr("nothing to certify"));
+}
+
+TEST_F(CullbenchContract, certifyingProcessesFindWhatOneFinds) {
+    const std::vector<std::string> words{"certify", "frustum,painter", "--views", "200", "--json"};
+    const auto result = [&](const std::string& threads) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {file(threads + ".json"), "--threads", threads});
+        const ProcessResult ended = cullbench(all);
+        EXPECT_EQ(ended.exitStatus, 0) << ended.err;
+        return jsonOf(file(threads + ".json"));
+    };
+    const json one = result("1");
+    EXPECT_EQ(one.size(), 2u) << "a certificate for each strategy";
+    EXPECT_EQ(one, result("3"));
+    const ProcessResult stored = cullbench({"store", file("s.store"), "add", file("1.json")});
+    EXPECT_EQ(stored.exitStatus, 0) << stored.err;
+    EXPECT_THAT(cullbench({"store", file("s.store"), "list"}).out, testing::AllOf(HasSubstr("frustum"), HasSubstr("painter")));
+}
+
+TEST_F(CullbenchContract, certifyingIsStoppedWithItsProcessesAndGoesOn) {
+    const std::vector<std::string> words{CULLBENCH, "certify",          "frustum",   "--views", "100000000",
+                                         "--state", file("state.json"), "--threads", "2"};
+    const ProcessResult stopped = runProcess(words, {}, 2.0);
+    EXPECT_EQ(stopped.exitStatus, 130) << stopped.err;
+    EXPECT_EQ(stopped.err, "") << "the processes say nothing of their own end";
+    EXPECT_GT(jsonOf(file("state.json"))["views"], 0);
+}
+
+TEST_F(CullbenchContract, certifyingSaysWhereOneOfItsProcessesEnded) {
+    // Two processes: the shell's child is the command, whose children try the blocks.
+    const ProcessResult result =
+        runProcess({"/bin/sh", "-c",
+                    "\"$0\" certify frustum --views 100000000 --threads 2 & command=$!; "
+                    "tries=0; until children=$(cat /proc/$command/task/*/children 2> /dev/null) && test $(echo "
+                    "$children | wc -w) = 2; do sleep 0.1; tries=$((tries+1)); test $tries -lt 300 || exit 9; done; "
+                    "kill -9 ${children%% *}; wait $command",
+                    CULLBENCH});
+    EXPECT_EQ(result.exitStatus, 4) << result.out << result.err;
+    EXPECT_THAT(result.err, HasSubstr("ended by itself"));
 }
 
 /// packaging/slurm with a program in place of sbatch that runs the tasks of an array at once, one after the other, and kills one

@@ -43,7 +43,7 @@ ColumnMenu::ColumnMenu(QTableView& table) : QMenu(&table), m_table(table), m_usu
 
 void ColumnMenu::retranslate() {
     for (int i = 0; i < int(m_columns.size()); ++i) m_columns[i]->setText(ResultTableModel::title(i + 1).simplified());
-    m_usual->setText(tr("As at the First Start"));
+    m_usual->setText(tr("As at the first start"));
 }
 
 void ColumnMenu::show(const QStringList& ids) {

@@ -29,9 +29,9 @@ Json rangesOfBlocks(const std::vector<bool>& done) {
     return ranges;
 }
 
-Json jsonOf(const Certificate& certificate) {
+Json jsonOf(const std::vector<Counterexample>& counterexamples) {
     Json examples = Json::array();
-    for (const Counterexample& one : certificate.counterexamples)
+    for (const Counterexample& one : counterexamples)
         examples.push_back({{"block", one.block},
                             {"view", one.view},
                             {"lost_pixels", one.lostPixels},
@@ -40,6 +40,10 @@ Json jsonOf(const Certificate& certificate) {
                             {"size", {one.size.width, one.size.height}},
                             {"file", one.file},
                             {"file_shows_it", one.fileShowsIt}});
+    return examples;
+}
+
+Json jsonOf(const Certificate& certificate) {
     return {{"certificate", certificate.viewsVersion},
             {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
             {"strategy", certificate.strategy},
@@ -54,8 +58,20 @@ Json jsonOf(const Certificate& certificate) {
             {"refused_views", certificate.refused},
             {"covered_pixels", certificate.coveredPixels},
             {"lost_views", certificate.counterexamples.size()},
-            {"counterexamples", std::move(examples)},
+            {"counterexamples", jsonOf(certificate.counterexamples)},
             {"blocks_done", rangesOfBlocks(certificate.done)}};
+}
+
+/// Throws Json::exception as below.
+std::vector<Counterexample> counterexamplesOf(const Json& list) {
+    std::vector<Counterexample> counterexamples;
+    for (const Json& one : list)
+        counterexamples.push_back({one.at("block").get<uint64_t>(), one.at("view").get<uint64_t>(),
+                                   one.at("lost_pixels").get<uint64_t>(), one.at("triangles").get<uint64_t>(),
+                                   one.at("objects").get<uint64_t>(),
+                                   Viewport{one.at("size").at(0).get<int>(), one.at("size").at(1).get<int>()},
+                                   one.at("file").get<std::string>(), one.at("file_shows_it").get<bool>()});
+    return counterexamples;
 }
 
 /// Throws Json::exception where fields are missing or of other kinds.
@@ -88,12 +104,7 @@ Certificate certificateOf(const Json& root, const std::filesystem::path& file) {
         std::fill(certificate.done.begin() + int64_t(first), certificate.done.begin() + int64_t(last) + 1, true);
         next = last + 1;
     }
-    for (const Json& one : root.at("counterexamples"))
-        certificate.counterexamples.push_back({one.at("block").get<uint64_t>(), one.at("view").get<uint64_t>(),
-                                               one.at("lost_pixels").get<uint64_t>(), one.at("triangles").get<uint64_t>(),
-                                               one.at("objects").get<uint64_t>(),
-                                               Viewport{one.at("size").at(0).get<int>(), one.at("size").at(1).get<int>()},
-                                               one.at("file").get<std::string>(), one.at("file_shows_it").get<bool>()});
+    certificate.counterexamples = counterexamplesOf(root.at("counterexamples"));
     return certificate;
 }
 
@@ -121,6 +132,30 @@ void addTo(Certificate& all, const Certificate& one) {
 }
 
 }  // namespace
+
+std::string blockJson(const std::vector<BlockResult>& results) {
+    Json list = Json::array();
+    for (const BlockResult& one : results)
+        list.push_back({{"views", one.views},
+                        {"promised_views", one.promised},
+                        {"refused_views", one.refused},
+                        {"covered_pixels", one.coveredPixels},
+                        {"counterexamples", jsonOf(one.counterexamples)}});
+    return list.dump();
+}
+
+std::vector<BlockResult> blockFromJson(const std::string& text) {
+    try {
+        std::vector<BlockResult> results;
+        for (const Json& one : Json::parse(text))
+            results.push_back({one.at("views").get<uint64_t>(), one.at("promised_views").get<uint64_t>(),
+                               one.at("refused_views").get<uint64_t>(), one.at("covered_pixels").get<uint64_t>(),
+                               counterexamplesOf(one.at("counterexamples"))});
+        return results;
+    } catch (const Json::exception&) {
+        throwInput(CULLSCOPE_TR("These are no results of a block of cullbench certify: %1"), {text});
+    }
+}
 
 std::string certificateJson(const Certificate& certificate) { return jsonOf(certificate).dump(1) + "\n"; }
 

@@ -119,6 +119,7 @@ private:
     /// All threads have their contexts before any of them works, and keep them until all are done: EGL's display is one for the
     /// process, and the end of a context may end it for the others.
     void work(std::latch& begun, std::latch& ended) {
+        if (m_request.trier) return tryWith(m_request.trier);
         std::unique_ptr<HeadlessContext> context = makeContext();
         begun.arrive_and_wait();
         if (context) tryBlocks();
@@ -138,11 +139,21 @@ private:
         }
     }
 
+    /// With the thread's current context.
     void tryBlocks() {
+        tryWith([this]() -> BlockTrier {
+            const auto renderer = std::make_shared<Renderer>();
+            return [this, renderer](uint64_t block, const Progress& progress) {
+                return certifyBlock(m_request, block, *renderer, progress);
+            };
+        });
+    }
+
+    void tryWith(const std::function<BlockTrier()>& make) {
         try {
-            Renderer renderer;
+            const BlockTrier trier = make();
             const Progress quiet{nullptr, m_progress.stop};
-            while (const std::optional<uint64_t> block = next()) add(*block, certifyBlock(m_request, *block, renderer, quiet));
+            while (const std::optional<uint64_t> block = next()) add(*block, trier(*block, quiet));
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::Interrupted) fail();
         } catch (const std::exception&) {

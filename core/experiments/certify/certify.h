@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,15 +49,24 @@ struct Certificate {
     [[nodiscard]] bool complete() const { return blocksDone() == blocksToDo(); }
 };
 
+/// What was found in a block, of one strategy.
+struct BlockResult {
+    uint64_t views = 0, promised = 0, refused = 0, coveredPixels = 0;
+    std::vector<Counterexample> counterexamples{};
+};
+/// Tries a block, and returns the results by strategy.
+using BlockTrier = std::function<std::vector<BlockResult>(uint64_t block, const Progress& progress)>;
+
 struct CertifyRequest {
     std::vector<StrategyRequest> strategies;  ///< tried at the same views, whose truth is drawn once
     uint64_t views = 10'000;
     uint64_t seed = 1;
     uint64_t shard = 1, shards = 1;
-    std::filesystem::path state{};    ///< read where it is there, and written after every few seconds; empty: none
-    std::filesystem::path cases{};    ///< folder for counterexamples; empty: none are written
-    size_t threads = 0;               ///< 0: one for each processor
-    size_t mostCounterexamples = 10;  ///< of all strategies, after which it ends
+    std::filesystem::path state{};        ///< read where it is there, and written after every few seconds; empty: none
+    std::filesystem::path cases{};        ///< folder for counterexamples; empty: none are written
+    size_t threads = 0;                   ///< 0: one for each processor
+    size_t mostCounterexamples = 10;      ///< of all strategies, after which it ends
+    std::function<BlockTrier()> trier{};  ///< makes what a thread tries its blocks with; empty: a context of its own here
 };
 
 /// Tries random views on all processors, each thread with an OpenGL context of its own, until all blocks are done, a stop is
@@ -65,12 +75,12 @@ struct CertifyRequest {
 [[nodiscard]] std::vector<Certificate> certify(const CertifyRequest& request, const Progress& progress = {});
 
 /// One block, on the calling thread with its current context, of each strategy. Nothing is written.
-struct BlockResult {
-    uint64_t views = 0, promised = 0, refused = 0, coveredPixels = 0;
-    std::vector<Counterexample> counterexamples{};
-};
 [[nodiscard]] std::vector<BlockResult> certifyBlock(const CertifyRequest& request, uint64_t block, Renderer& renderer,
                                                     const Progress& progress = {});
+
+/// The results of a block as a line of JSON, and back. Throws Error(Input) for another text.
+[[nodiscard]] std::string blockJson(const std::vector<BlockResult>& results);
+[[nodiscard]] std::vector<BlockResult> blockFromJson(const std::string& text);
 
 /// A file holds one certificate, or a list of those of several strategies.
 [[nodiscard]] std::vector<Certificate> readCertificates(const std::filesystem::path& file);

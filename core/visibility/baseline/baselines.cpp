@@ -2,6 +2,7 @@
 
 #include "core/base/message.h"
 #include "core/geometry/separation.h"
+#include "core/visibility/displaced_surfaces.h"
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
 
@@ -52,7 +53,8 @@ protected:
 class Backface final : public Everything {
 public:
     /// Inside a closed mesh only back faces are visible; an eye in an object's box may be inside its mesh, and a near plane that
-    /// cuts the box may open the mesh to the eye. `cullbench certify` found the latter.
+    /// cuts the box may open the mesh to the eye. Where rounding displaces surfaces, a back face may come before the front one.
+    /// `cullbench certify` found the latter two.
     [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
                                     const View& view) const override {
         const Scene& scene = structure.scene();
@@ -61,7 +63,7 @@ public:
             const EyeBounds bounds = boundsFromEye(scene, i, view.eye());
             if (meetsNearRectangle(view.frustum(), bounds.box, bounds.margin)) return Promise::Approximate;
         }
-        return promiseOf(own(structure), parameters, facing);
+        return promiseWhereSurfacesStandStill(promiseOf(own(structure), parameters, facing), scene, view);
     }
     [[nodiscard]] Facing facing(const Scene& /*scene*/, const ParameterSet& /*parameters*/) const override {
         return Facing::Front;

@@ -101,9 +101,7 @@ private:
                                   double growth) const {
         const Frustum& frustum = frame.view().frustum();
         const Subject subject = Subject::ofObject(instance);
-        // Infinities, NaN and numbers beyond the range of float cannot be passed to OpenGL.
-        const double farthest = glm::length(grown.centre) + glm::length(grown.halfExtent);
-        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.margin)) {
+        if (!isDrawnInPlace(grown, frustum) || meetsNearRectangle(frustum, grown, bounds.margin)) {
             if (frame.recording()) frame.say(atLine(lineOf(BoxLine::NearRectangle), boxQuestion(subject, false, true, growth)));
             return Answer::Visible;
         }

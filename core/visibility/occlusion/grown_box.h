@@ -23,12 +23,10 @@ struct GrownBox {
     return grownBox(box, marginFromEye(world.centre(), box.centre, glm::length(box.halfExtent), view.eye()), view);
 }
 
-/// Whether OpenGL can answer about a grown box: it is finite, and lies wholly beyond the near plane. A box that holds a point of
-/// the near rectangle covers no sample, and depths of what crosses the plane of the eye mean nothing.
+/// Whether OpenGL can answer about a grown box: it is drawn in place, and lies wholly beyond the near plane. A box that holds a
+/// point of the near rectangle covers no sample, and depths of what crosses the plane of the eye mean nothing.
 [[nodiscard]] inline bool canBeAskedAbout(const GrownBox& box, const View& view) {
-    // Infinities, NaN and numbers beyond the range of float cannot be passed to OpenGL.
-    const double farthest = glm::length(box.box.centre) + glm::length(box.box.halfExtent);
-    return farthest < 1e30 && nearestAhead(box.box, view.frustum()) > view.frustum().nearDistance;
+    return isDrawnInPlace(box.box, view.frustum()) && nearestAhead(box.box, view.frustum()) > view.frustum().nearDistance;
 }
 
 }  // namespace cullscope::occlusion

@@ -31,6 +31,24 @@ TEST(DisplacedSurfaces, picturesArePromisedWhereFloatsMoveNoSurfaceByAPixel) {
     }
 }
 
+TEST(DisplacedSurfaces, parallelPicturesArePromisedWherePixelsAreWiderThanFloatsMove) {
+    const ScenePointer scene = sceneOf({sphereMesh(2000)}, {translation(Vec3(0.0))});
+    for (const char* id : {"depth-buffer", "scan-line", "backface"}) {
+        const CullerPointer culler = makeCuller(id);
+        culler->build(*scene);
+        const auto promise = [&](double distance, double height, double aside) {
+            Camera camera{Vec3(distance, aside, 0.0), Vec3(0.0, aside, 0.0), {0, 0, 1}, Angle::fromDegrees(45), 0.5, 1e6};
+            camera.projection = ProjectionKind::Parallel;
+            camera.height = height;
+            return culler->promiseAt(View(camera, kSize));
+        };
+        EXPECT_NE(promise(3.0, 2.5, 0.0), Promise::Approximate) << id;
+        EXPECT_NE(promise(1e5, 2.5, 0.0), Promise::Approximate) << id << ": the distance ahead moves nothing aside";
+        EXPECT_EQ(promise(3.0, 1e-6, 0.0), Promise::Approximate) << id << " through a microscope";
+        EXPECT_NE(promise(3.0, 1e-6, 5.0), Promise::Approximate) << id << " beside it";
+    }
+}
+
 TEST(DisplacedSurfaces, picturesArePromisedWhereALargeWallPassesTheEyeOutOfView) {
     // A wall that reaches from far behind the eye to far ahead, 0.001 beside it, comes into view 10 ahead.
     std::vector<Vec3f> corners{{0.001F, -5, 20}, {0.001F, 5, 20}, {0.001F, 0, -60}};
