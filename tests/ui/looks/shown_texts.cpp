@@ -160,11 +160,12 @@ int widthOf(const QString& text, const QFontMetrics& metrics) {
     return width;
 }
 
-/// Whether the texts of all cells and headers fit.
+/// Whether the texts of all cells and headers fit that the user has not hidden.
 bool fits(const QTableView& table) {
     const QFontMetrics metrics(table.font());
     const QAbstractItemModel& model = *table.model();
     for (int column = 0; column < model.columnCount(); ++column) {
+        if (table.isColumnHidden(column)) continue;
         if (widthOf(model.headerData(column, Qt::Horizontal).toString(), metrics) > table.columnWidth(column)) return false;
         for (int row = 0; row < model.rowCount(); ++row)
             if (metrics.horizontalAdvance(model.index(row, column).data().toString()) > table.columnWidth(column)) return false;
