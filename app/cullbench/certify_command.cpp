@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 
 #include "app/cullbench/certify_workers.h"
 #include "app/cullbench/commands.h"
@@ -48,14 +47,6 @@ void merge(const CertifyOptions& options, Context& context) {
     report(certify::merged(certificates), options.json, context);
 }
 
-std::vector<std::string> wordsOfWorkers(const CertifyOptions& options) {
-    std::vector<std::string> words{"certify", "--worker", "--seed", std::to_string(options.seed)};
-    words.insert(words.end(), options.strategies.begin(), options.strategies.end());
-    for (const std::string& parameter : options.parameters) words.insert(words.end(), {"-p", parameter});
-    if (!options.cases.empty()) words.insert(words.end(), {"--cases", options.cases});
-    return words;
-}
-
 void run(const CertifyOptions& options, Context& context) {
     checkOutputPlaces({options.json});
     if (!options.merge.empty()) {
@@ -73,12 +64,7 @@ void run(const CertifyOptions& options, Context& context) {
     request.cases = options.cases;
     request.threads = options.threads;
     if (options.worker) return tryBlocksOfParent(request, context.stop);
-    if (options.threads != 1) {
-        // Mesa's software OpenGL would divide each of the workers' small pictures among all processors again, which takes twice
-        // as long.
-        setenv("LP_NUM_THREADS", "0", 0);
-        request.trier = [words = wordsOfWorkers(options)] { return workerProcess(words); };
-    }
+    if (options.threads != 1) request.trier = workerProcess;
     {
         const HeadlessContext gl;
         for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <utility>
@@ -19,22 +20,20 @@ extern char** environ;
 namespace cullscope::cullbench {
 namespace {
 
+constexpr const char* kThreadsOfMesa = "LP_NUM_THREADS";
+
 /// A process and one end of the socket that is its standard input and output.
 class Worker {
 public:
-    explicit Worker(const std::vector<std::string>& words) {
+    Worker(std::vector<std::string> words, std::vector<std::string> environment) {
         std::array<int, 2> ends{};
         if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) refuse();
         m_socket = ends[0];
-        std::vector<std::string> all{"cullbench"};
-        all.insert(all.end(), words.begin(), words.end());
-        std::vector<char*> arguments;
-        for (std::string& word : all) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         for (const int stream : {STDIN_FILENO, STDOUT_FILENO}) posix_spawn_file_actions_adddup2(&actions, ends[1], stream);
-        const int failure = posix_spawn(&m_process, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
+        const int failure = posix_spawn(&m_process, "/proc/self/exe", &actions, nullptr, pointersTo(words).data(),
+                                        pointersTo(environment).data());
         posix_spawn_file_actions_destroy(&actions);
         close(ends[1]);
         if (failure != 0) {
@@ -63,13 +62,22 @@ public:
         if (!answer.empty() && answer.back() == '\n') return certify::blockFromJson(answer);
         // Ctrl-C reaches the workers, too.
         progress.check();
-        throwOpenGl(CULLSCOPE_TR("A process that tried block %1 ended by itself. Try again with --threads 1."),
+        throwOpenGl(CULLSCOPE_TR("A process that tried block %1 ended by itself. Try it with cullbench certify --threads 1."),
                     {std::to_string(block)});
     }
 
 private:
+    /// As the system takes them: the last one is null.
+    static std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+        std::vector<char*> pointers;
+        for (std::string& text : texts) pointers.push_back(text.data());
+        pointers.push_back(nullptr);
+        return pointers;
+    }
+
     [[noreturn]] static void refuse() {
-        throwInput(CULLSCOPE_TR("The system gives no further process: close other programs, or take --threads 1."));
+        throwInput(
+            CULLSCOPE_TR("The system gives no further process: close other programs, or take cullbench certify --threads 1."));
     }
 
     pid_t m_process = 0;
@@ -78,8 +86,14 @@ private:
 
 }  // namespace
 
-certify::BlockTrier workerProcess(const std::vector<std::string>& words) {
-    const auto worker = std::make_shared<Worker>(words);
+certify::BlockTrier workerProcess(const certify::CertifyRequest& request) {
+    std::vector<std::string> words{"cullbench", "certify", "--worker", "--seed", std::to_string(request.seed)};
+    for (const StrategyRequest& strategy : request.strategies) words.push_back(strategyText(strategy));
+    if (!request.cases.empty()) words.insert(words.end(), {"--cases", request.cases.string()});
+    std::vector<std::string> environment;
+    for (char** variable = environ; *variable != nullptr; ++variable) environment.emplace_back(*variable);
+    if (std::getenv(kThreadsOfMesa) == nullptr) environment.push_back(std::string(kThreadsOfMesa) + "=0");
+    const auto worker = std::make_shared<Worker>(std::move(words), std::move(environment));
     return [worker](uint64_t block, const Progress& progress) { return worker->tryBlock(block, progress); };
 }
 

@@ -1,3 +1,4 @@
+#include "app/cullbench/certify_workers.h"
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
@@ -20,6 +21,7 @@ void run(const SelfTestOptions& options, Context& context) {
     request.court = options.scene;
     request.certifiedViews = options.views;
     request.experiments = {context.sceneOptions, options.repeat};
+    request.trier = workerProcess;
     FILE* out = options.json == "-" ? stderr : stdout;
     const SelfTest test = selfTest(request, terminalProgress(context), [out](const std::string& text) {
         clearProgress();

@@ -55,6 +55,7 @@ private:
     void certifyAll() {
         certify::CertifyRequest request;
         request.views = m_request.certifiedViews;
+        request.trier = m_request.trier;
         for (const RegisteredStrategy& known : strategies())
             if (!unavailable(known.info, m_test.gl)) request.strategies.push_back(strategyFromText(known.info.id));
         std::string text;

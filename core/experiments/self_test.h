@@ -16,6 +16,7 @@ struct SelfTestRequest {
     uint64_t certifiedViews = 2'000;  ///< of each strategy that promises to lose nothing
     std::string court{};              ///< the scene of the courts; empty: the experiment's own
     ExperimentOptions experiments{};
+    certify::TrierMaker trier{};  ///< CertifyRequest::trier
 };
 
 /// What one machine says of all that Cullscope promises, and how fast it is there.

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <latch>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -78,24 +77,19 @@ std::vector<Certificate> beginningsOrState(const CertifyRequest& request) {
     return kept;
 }
 
-/// The work of all threads.
+/// The work of all triers.
 class Run {
 public:
     Run(const CertifyRequest& request, const Progress& progress)
         : m_request(request), m_progress(progress), m_certificates(beginningsOrState(request)) {}
 
     std::vector<Certificate> finish() {
-        const size_t wanted = m_request.threads > 0 ? m_request.threads : std::max(1U, std::thread::hardware_concurrency());
-        const size_t threads = std::min<uint64_t>(wanted, std::max<uint64_t>(1, blocks().blocksToDo()));
         {
-            std::latch begun{ptrdiff_t(threads)}, ended{ptrdiff_t(threads)};
             std::vector<std::jthread> workers;
-            for (size_t i = 0; i < threads; ++i) try {
-                    workers.emplace_back([&] { work(begun, ended); });
+            for (size_t i = 0; i < threads(); ++i) try {
+                    workers.emplace_back([this] { work(); });
                 } catch (const std::system_error&) {
                     // The system gives no further thread: the others do the work.
-                    begun.count_down();
-                    ended.count_down();
                 }
             if (workers.empty()) throwInput(CULLSCOPE_TR("The system gives no thread for this: close other programs."));
         }
@@ -116,42 +110,17 @@ private:
         return std::nullopt;
     }
 
-    /// All threads have their contexts before any of them works, and keep them until all are done: EGL's display is one for the
-    /// process, and the end of a context may end it for the others.
-    void work(std::latch& begun, std::latch& ended) {
-        if (m_request.trier) return tryWith(m_request.trier);
-        std::unique_ptr<HeadlessContext> context = makeContext();
-        begun.arrive_and_wait();
-        if (context) tryBlocks();
-        ended.arrive_and_wait();
-        const std::lock_guard lock(m_contexts);
-        context.reset();
+    /// Several contexts of Mesa's software OpenGL disturb each other where threads of one process draw with them.
+    [[nodiscard]] size_t threads() const {
+        if (!m_request.trier) return 1;
+        const size_t wanted = m_request.threads > 0 ? m_request.threads : std::max(1U, std::thread::hardware_concurrency());
+        return std::min<uint64_t>(wanted, std::max<uint64_t>(1, blocks().blocksToDo()));
     }
 
-    std::unique_ptr<HeadlessContext> makeContext() {
-        const std::lock_guard lock(m_contexts);
+    /// On a thread of its own, so that no context of the caller's is put in another one's place.
+    void work() {
         try {
-            // An OpenGL context belongs to the thread that made it.
-            return std::make_unique<HeadlessContext>();
-        } catch (const std::exception&) {
-            fail();
-            return nullptr;
-        }
-    }
-
-    /// With the thread's current context.
-    void tryBlocks() {
-        tryWith([this]() -> BlockTrier {
-            const auto renderer = std::make_shared<Renderer>();
-            return [this, renderer](uint64_t block, const Progress& progress) {
-                return certifyBlock(m_request, block, *renderer, progress);
-            };
-        });
-    }
-
-    void tryWith(const std::function<BlockTrier()>& make) {
-        try {
-            const BlockTrier trier = make();
+            const BlockTrier trier = (m_request.trier ? m_request.trier : TrierMaker(ownContext))(m_request);
             const Progress quiet{nullptr, m_progress.stop};
             while (const std::optional<uint64_t> block = next()) add(*block, trier(*block, quiet));
         } catch (const Error& error) {
@@ -159,6 +128,18 @@ private:
         } catch (const std::exception&) {
             fail();
         }
+    }
+
+    static BlockTrier ownContext(const CertifyRequest& request) {
+        // The renderer ends before its context.
+        struct Drawing {
+            HeadlessContext context;
+            Renderer renderer;
+        };
+        const auto drawing = std::make_shared<Drawing>();
+        return [drawing, &request](uint64_t block, const Progress& progress) {
+            return certifyBlock(request, block, drawing->renderer, progress);
+        };
     }
 
     void fail() {
@@ -189,7 +170,7 @@ private:
 
     const CertifyRequest& m_request;
     const Progress& m_progress;
-    std::mutex m_mutex, m_contexts;
+    std::mutex m_mutex;
     std::vector<Certificate> m_certificates;  ///< by strategy
     uint64_t m_next = 0;
     std::chrono::steady_clock::time_point m_written = std::chrono::steady_clock::now();

@@ -54,24 +54,27 @@ struct BlockResult {
     uint64_t views = 0, promised = 0, refused = 0, coveredPixels = 0;
     std::vector<Counterexample> counterexamples{};
 };
+struct CertifyRequest;
 /// Tries a block, and returns the results by strategy.
 using BlockTrier = std::function<std::vector<BlockResult>(uint64_t block, const Progress& progress)>;
+/// Makes a trier of a request's blocks.
+using TrierMaker = std::function<BlockTrier(const CertifyRequest& request)>;
 
 struct CertifyRequest {
     std::vector<StrategyRequest> strategies;  ///< tried at the same views, whose truth is drawn once
     uint64_t views = 10'000;
     uint64_t seed = 1;
     uint64_t shard = 1, shards = 1;
-    std::filesystem::path state{};        ///< read where it is there, and written after every few seconds; empty: none
-    std::filesystem::path cases{};        ///< folder for counterexamples; empty: none are written
-    size_t threads = 0;                   ///< 0: one for each processor
-    size_t mostCounterexamples = 10;      ///< of all strategies, after which it ends
-    std::function<BlockTrier()> trier{};  ///< makes what a thread tries its blocks with; empty: a context of its own here
+    std::filesystem::path state{};    ///< read where it is there, and written after every few seconds; empty: none
+    std::filesystem::path cases{};    ///< folder for counterexamples; empty: none are written
+    size_t threads = 0;               ///< how many triers; 0: one for each processor
+    size_t mostCounterexamples = 10;  ///< of all strategies, after which it ends
+    TrierMaker trier{};               ///< of several at once; none: one context of OpenGL in this process tries all blocks
 };
 
-/// Tries random views on all processors, each thread with an OpenGL context of its own, until all blocks are done, a stop is
-/// requested, or there are enough counterexamples. One certificate for each strategy, with the same blocks done. Throws
-/// Error(Usage) where there is no strategy, or one twice, or the state is of another request.
+/// Tries random views until all blocks are done, a stop is requested, or there are enough counterexamples. One certificate for
+/// each strategy, with the same blocks done. Throws Error(Usage) where there is no strategy, or one twice, or the state is of
+/// another request.
 [[nodiscard]] std::vector<Certificate> certify(const CertifyRequest& request, const Progress& progress = {});
 
 /// One block, on the calling thread with its current context, of each strategy. Nothing is written.

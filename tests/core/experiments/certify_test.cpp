@@ -125,7 +125,6 @@ TEST_F(Certify, brokenPromiseIsFoundShrunkAndWritten) {
 TEST_F(Certify, shardsTogetherAreTheWhole) {
     CertifyRequest request{{strategyFromText("frustum")}};
     request.views = 4 * certify::kViewsOfABlock;
-    request.threads = 2;
     const Certificate whole = certify::certify(request).front();
     EXPECT_TRUE(whole.complete());
     EXPECT_EQ(whole.views, request.views);
@@ -224,7 +223,6 @@ TEST_F(Certify, viewsOfTinyHeightOrFieldLoseNothing) {
 TEST_F(Certify, stoppedRunGoesOnWhereItWas) {
     CertifyRequest request{{strategyFromText("frustum")}};
     request.views = 6 * certify::kViewsOfABlock;
-    request.threads = 1;
     request.state = file("state.json");
     std::stop_source stop;
     size_t blocks = 0;
