@@ -78,8 +78,9 @@ struct ShownPixels {
 /// centre lies within 1/64 pixel of an edge of the reference's triangle, or where the picture's surface lies behind that triangle
 /// by at most the depth change over 1/128 pixel or two units in the last place of a float (unresolved). Where the picture's
 /// triangle is known, one within 1/64 pixel of its edges is explained, too, and one where the planes of both triangles, in
-/// double, meet within 1/128 pixel of the centre or are unresolved there. `backface` promises 0 for a closed mesh seen from
-/// outside.
+/// double, meet within 1/128 pixel of the centre or are unresolved there, or where the picture's is the nearer one: OpenGL's
+/// floats may misplace the depth of a sliver thousands of pixels long by much more than a rounding, in the reference as well.
+/// `backface` promises 0 for a closed mesh seen from outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
 /// Those pixels, ascending, rows from the bottom. `tile`: the part of the picture that reference and picture are of; left out:
@@ -87,6 +88,10 @@ struct ShownPixels {
 [[nodiscard]] std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, const ShownPixels& shown,
                                                                const Scene& scene, const View& view,
                                                                const std::optional<PictureTile>& tile = {});
+/// The same of a log's picture in a tile. Where anything is left to explain, it is drawn once more to know its triangles, too.
+[[nodiscard]] std::vector<uint32_t> pixelsMissedBeyondSnapping(Renderer& renderer, const SceneBuffers& buffers,
+                                                               const FrameLog& log, const Reference& reference,
+                                                               const ShownPixels& shown, const PictureTile& tile);
 /// The scene triangles that a reference shows at pixels, ascending, each once.
 [[nodiscard]] std::vector<uint32_t> trianglesAt(const Reference& reference, const std::vector<uint32_t>& pixels);
 

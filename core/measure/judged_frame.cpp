@@ -86,17 +86,18 @@ DepthOfPlane depthOfPlaneAt(const Scene& scene, const View& view, uint64_t trian
     return {depth, {depthAt(centre.x + 1.0, centre.y) - depth, depthAt(centre.x, centre.y + 1.0) - depth}};
 }
 
-/// Whether two triangles' planes meet within 1/128 pixel of a pixel's centre, where both surfaces are cut, or have depths there
-/// that a float does not tell apart, as polygons in one plane.
-bool planesMeetAt(const Scene& scene, const View& view, uint64_t one, uint64_t other, const Vec2& centre) {
-    const DepthOfPlane a = depthOfPlaneAt(scene, view, one, centre), b = depthOfPlaneAt(scene, view, other, centre);
-    const double gap = std::abs(a.depth - b.depth);
+/// Whether the plane of a triangle that a raster found nearer is not: that of the other one is nearer at the pixel's centre,
+/// meets it within 1/128 pixel of there, where both surfaces are cut, or has a depth that a float does not tell apart, as of
+/// polygons in one plane.
+bool isNotNearer(const Scene& scene, const View& view, uint64_t nearer, uint64_t other, const Vec2& centre) {
+    const DepthOfPlane a = depthOfPlaneAt(scene, view, nearer, centre), b = depthOfPlaneAt(scene, view, other, centre);
+    const double gap = a.depth - b.depth;
     return gap <= kTwoRoundings * std::max(a.depth, b.depth) || gap <= kShift * glm::length(a.perPixel - b.perPixel);
 }
 
-/// Whether the raster's snapping, or the rounding of two depths to float, explains that a triangle is shown at a pixel, or is
-/// not; `gap` is its depth beside the other's, `depth` the larger of them. `other`: the scene's triangle there in the other
-/// picture, counted from 1; 0: none, or not known.
+/// Whether the raster's snapping, the rounding of two depths to float, or that of a sliver's plane, explains that a triangle is
+/// shown at a pixel, or is not; `gap` is its depth beside the other's, `depth` the larger of them. `other`: the scene's triangle
+/// there in the other picture, counted from 1; 0: none, or not known.
 bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint32_t other, const Vec2& centre, double gap,
                       double depth) {
     if (gap <= kTwoRoundings * depth) return true;
@@ -106,7 +107,7 @@ bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint3
     if (other == 0) return false;
     const RasterTriangle before = rasterised(scene, view, other - 1);
     return (before.count > 0 && distanceToEdges(before, centre) <= kNearAnEdge) ||
-           planesMeetAt(scene, view, item - 1, other - 1, centre);
+           isNotNearer(scene, view, item - 1, other - 1, centre);
 }
 
 /// The centre of a tile's pixel in the whole picture.
@@ -136,6 +137,15 @@ std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, con
             beyond.push_back(uint32_t(pixel));
     }
     return beyond;
+}
+
+std::vector<uint32_t> pixelsMissedBeyondSnapping(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log,
+                                                 const Reference& reference, const ShownPixels& shown, const PictureTile& tile) {
+    const View view(log.camera, log.size);
+    const std::vector<uint32_t> beyond = pixelsMissedBeyondSnapping(reference, shown, buffers.scene(), view, tile);
+    if (beyond.empty() || !shown.triangle.empty()) return beyond;
+    const ShownPixels named{shown.depth, renderer.drawItemBuffer(buffers, view, log, tile).triangle, {}};
+    return pixelsMissedBeyondSnapping(reference, named, buffers.scene(), view, tile);
 }
 
 std::vector<uint32_t> trianglesAt(const Reference& reference, const std::vector<uint32_t>& pixels) {
@@ -179,7 +189,7 @@ JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLo
     judged.ownRaster = !log.drawsScene();
     if (snappingMayExplain(log, reference.facing)) {
         const View view(log.camera, log.size);
-        judged.lost = pixelsMissedBeyondSnapping(reference, judged.shown, scene, view);
+        judged.lost = pixelsMissedBeyondSnapping(renderer, buffers, log, reference, judged.shown, target.tile());
         judged.missedBeyondSnapping = judged.lost.size();
         judged.lostTriangles = trianglesAt(reference, judged.lost);
         if (judged.ownRaster) judged.extraBeyondSnapping = extraBeyondSnapping(reference, judged.shown, scene, view);

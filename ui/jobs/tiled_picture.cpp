@@ -50,8 +50,8 @@ void TiledPicture::findVisible(Renderer& renderer, const PictureTile& tile) {
     part.depth = std::move(truth.depth);
     part.triangle = std::move(truth.triangle);
     const ShownPixels shown = shownPixels(renderer, *m_request.buffers, m_frame->log, target);
-    for (const uint32_t triangle : trianglesAt(part, pixelsMissedBeyondSnapping(part, shown, scene, culling, tile)))
-        m_lost.insert(triangle);
+    const std::vector<uint32_t> lost = pixelsMissedBeyondSnapping(renderer, *m_request.buffers, m_frame->log, part, shown, tile);
+    for (const uint32_t triangle : trianglesAt(part, lost)) m_lost.insert(triangle);
 }
 
 void TiledPicture::finishTruth() {

@@ -1,5 +1,7 @@
 #include "core/experiments/advice/adviser.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +13,12 @@ namespace {
 
 constexpr size_t kProbes = 2;
 constexpr size_t kLeastViews = 6;       // before an interval may exclude a strategy
-constexpr size_t kMostTurns = 3;        // at each view
+constexpr size_t kMostTurns = 5;        // at each view
 constexpr double kFar = 2.5;            // as many times as long as the fastest: no interval needed
 constexpr double kExcluded = 0.96;      // the interval's end below which a slower one leaves
-constexpr double kFarOfVariants = 4.0;  // of a default, so that its other values are not tried
+constexpr double kFarOfVariants = 2.0;  // of a default, so that its other values are not tried
 constexpr double kSame = 0.99;          // faster by less does not count against a smaller structure
-constexpr double kBuildFrames = 100.0, kLeastBuildSeconds = 2.0;
+constexpr double kBuildFrames = 100.0, kLeastBuildSeconds = 0.5;
 constexpr double kFrameSeconds = 1.0, kLongFrames = 10.0;
 constexpr double kSlowFirst = 5.0;  // of a first frame, which fills caches, too
 
@@ -53,6 +55,7 @@ private:
         const StrategyInfo& limit = limitOfCulling();
         admit({limit.id, ParameterSet(limit.parameters)}, true);
         m_lastBuilt.reset();
+        m_defaults.clear();
     }
 
     void admit(const StrategyRequest& strategy, bool limit) {
@@ -69,26 +72,32 @@ private:
             entrant.figures.standing = Standing::Loses;
         else if (build(entrant) && !valueThatMayNotBeChosen(entrant))
             probe(entrant);
-        // The next value of its parameters may need the same structure.
+        // Other values of its parameters may need the same structure: those of a default come after all defaults.
+        if (entrant.built && defaultOf(entrant) == nullptr) m_defaults.push_back(entrant.built);
         m_lastBuilt = entrant.built ? entrant.built : m_lastBuilt;
         if (!entrant.racing) entrant.built.reset();
         m_entrants.push_back(std::move(entrant));
     }
 
-    [[nodiscard]] bool variantOfASlowOne(const Entrant& entrant) const {
+    /// The default of an entrant's strategy, if it is another value of one; null: it is the default.
+    [[nodiscard]] const Entrant* defaultOf(const Entrant& entrant) const {
         const auto first = std::ranges::find(m_entrants, entrant.figures.strategy.id,
                                              [](const Entrant& other) { return other.figures.strategy.id; });
-        if (first == m_entrants.end() || entrant.figures.everything) return false;
+        return first == m_entrants.end() ? nullptr : &*first;
+    }
+
+    [[nodiscard]] bool variantOfASlowOne(const Entrant& entrant) const {
+        const Entrant* const first = defaultOf(entrant);
+        if (first == nullptr || entrant.figures.everything) return false;
         if (first->figures.standing == Standing::Refused) return true;
-        return first->figures.standing == Standing::FarBehind && sumOf(first->probes) > kFarOfVariants * bestProbes();
+        return slower(*first, kFarOfVariants);
     }
 
     /// A value for which another structure would be built, of a strategy that promises nothing at its default: it may not be
     /// chosen where only what loses nothing will do, and is not worth building.
     [[nodiscard]] bool otherStructureOfALossyOne(const Entrant& entrant) const {
-        const auto first = std::ranges::find(m_entrants, entrant.figures.strategy.id,
-                                             [](const Entrant& other) { return other.figures.strategy.id; });
-        return first != m_entrants.end() && m_request.maxMissed <= 0.0 && first->figures.promise == Promise::Approximate &&
+        const Entrant* const first = defaultOf(entrant);
+        return first != nullptr && m_request.maxMissed <= 0.0 && first->figures.promise == Promise::Approximate &&
                first->figures.standing == Standing::Loses &&
                first->figures.strategy.parameters.buildText() != entrant.figures.strategy.parameters.buildText();
     }
@@ -96,8 +105,7 @@ private:
     /// Another value of a parameter, with which the strategy promises nothing, where only what loses nothing will do: the default
     /// was drawn, to say what such a strategy loses.
     [[nodiscard]] bool valueThatMayNotBeChosen(const Entrant& entrant) const {
-        const auto sameId = [&](const Entrant& other) { return other.figures.strategy.id == entrant.figures.strategy.id; };
-        return !entrant.eligible && !entrant.figures.limit && std::ranges::any_of(m_entrants, sameId);
+        return !entrant.eligible && !entrant.figures.limit && defaultOf(entrant) != nullptr;
     }
 
     bool build(Entrant& entrant) {
@@ -106,9 +114,9 @@ private:
         if (const std::optional<Message> why = unserved(infoOf(entrant), m_request.path.camera(0))) return refuse(entrant, *why);
         double seconds = m_request.buildSeconds;
         if (seconds <= 0.0) {
-            const double best = bestProbes() / 1000.0 / double(probes());
-            const double frame = std::isfinite(best) ? best : 0.0;
-            seconds = std::max(kLeastBuildSeconds, kBuildFrames * frame);
+            double best = 0.0;
+            for (size_t i = 0; i < probes(); ++i) best += bestProbe(m_order[i]) / 1000.0 / double(probes());
+            seconds = std::max(kLeastBuildSeconds, kBuildFrames * (std::isfinite(best) ? best : 0.0));
         }
         const Deadline deadline(seconds, m_progress.stop);
         try {
@@ -117,8 +125,8 @@ private:
         } catch (const Error& error) {
             m_progress.check();
             if (!deadline.passed()) return refuse(entrant, error.message());
-            return refuse(entrant, {CULLSCOPE_TR("building its structure takes longer than %1 s"),
-                                    {std::to_string(int(std::ceil(seconds)))}});
+            return refuse(entrant,
+                          {CULLSCOPE_TR("building its structure takes longer than %1 s"), {fmt::format("{:.2g}", seconds)}});
         }
         entrant.figures.structure = entrant.built->report();
         entrant.figures.promise = entrant.built->promise();
@@ -139,21 +147,21 @@ private:
 
     [[nodiscard]] size_t probes() const { return std::min(kProbes, m_order.size()); }
 
-    /// The least sum of the first views of those that may be chosen, in milliseconds; infinite where there is none yet.
-    [[nodiscard]] double bestProbes() const {
-        double best = std::numeric_limits<double>::infinity();
-        for (const Entrant& entrant : m_entrants)
-            if (entrant.eligible && entrant.racing) best = std::min(best, sumOf(entrant.probes));
-        return best;
-    }
-
-    /// The least time of these at one of the first views.
+    /// The least time of those that may be chosen at one of the first views, in milliseconds; infinite where there is none yet.
     [[nodiscard]] double bestProbe(size_t pose) const {
         double best = std::numeric_limits<double>::infinity();
         for (const Entrant& entrant : m_entrants)
             if (entrant.eligible && entrant.racing && !entrant.probes[pose].empty())
                 best = std::min(best, entrant.probes[pose].front());
         return best;
+    }
+
+    /// Whether a strategy took more than so many times as long as the fastest, at those of the first views that it drew.
+    [[nodiscard]] bool slower(const Entrant& entrant, double times) const {
+        double best = 0.0;
+        for (size_t pose = 0; pose < entrant.probes.size(); ++pose)
+            if (!entrant.probes[pose].empty()) best += bestProbe(pose);
+        return sumOf(entrant.probes) > times * best;
     }
 
     /// A frame that takes so long is not waited for.
@@ -178,15 +186,14 @@ private:
             entrant.probes[m_order[i]].push_back(*least);
             if (entrant.figures.promise == Promise::Approximate && !entrant.figures.limit) m_race.judge(entrant, m_order[i]);
         }
-        const double best = bestProbes();
         if (slow) entrant.probes[m_order.front()].push_back(*first);
         if (entrant.figures.limit) {
             entrant.racing = true;
-        } else if (slow || (!entrant.figures.everything && sumOf(entrant.probes) > kFar * best)) {
+        } else if (slow || (!entrant.figures.everything && slower(entrant, kFar))) {
             if (entrant.eligible) entrant.figures.standing = Standing::FarBehind;
             entrant.eligible = false;
         } else if (losesTooMuch(entrant, 2.0)) {
-            lose(entrant);
+            leave(entrant, Standing::Loses);
         } else if (entrant.eligible) {
             entrant.racing = true;
             entrant.figures.standing = Standing::Finished;
@@ -197,12 +204,13 @@ private:
         const std::optional<double> rate = entrant.figures.missedRate();
         return entrant.figures.promise == Promise::Approximate && rate && *rate > factor * m_request.maxMissed;
     }
-    static void lose(Entrant& entrant) {
-        entrant.figures.standing = Standing::Loses;
+    static void leave(Entrant& entrant, Standing standing) {
+        entrant.figures.standing = standing;
         entrant.eligible = entrant.racing = false;
     }
 
     void race() {
+        leaveSlow();
         for (size_t turn = 0; turn < kMostTurns && (turn == 0 || !decided()); ++turn)
             for (size_t i = 0; i < m_order.size() && (turn == 0 || !decided()); ++i) {
                 m_progress.tell(0.5 + 0.5 * (double(turn) + double(i) / double(m_order.size())) / double(kMostTurns),
@@ -210,6 +218,12 @@ private:
                 drawAll(m_order[i], turn, (turn + i) % 2 != 0);
                 dropSlower(turn * m_order.size() + i + 1);
             }
+    }
+
+    /// Those that were tried before the fastest.
+    void leaveSlow() {
+        for (Entrant& entrant : m_entrants)
+            if (entrant.eligible && !entrant.figures.everything && slower(entrant, kFar)) leave(entrant, Standing::FarBehind);
     }
 
     void drawAll(size_t pose, size_t turn, bool backwards) {
@@ -223,7 +237,7 @@ private:
             entrant.times[pose].push_back(*time);
             if (entrant.figures.promise != Promise::Approximate || entrant.figures.limit || !entrant.racing) continue;
             m_race.judge(entrant, pose);
-            if (losesTooMuch(entrant, entrant.figures.judgedViews == m_order.size() ? 1.0 : 2.0)) lose(entrant);
+            if (losesTooMuch(entrant, entrant.figures.judgedViews == m_order.size() ? 1.0 : 2.0)) leave(entrant, Standing::Loses);
         }
     }
 
@@ -294,31 +308,16 @@ private:
 
     void choose(Advice& advice) {
         Entrant* choice = chosen();
-        while (choice != nullptr && !sumsKnown(*choice)) choice = nullptr;
+        while (choice != nullptr && sumOf(choice->times) <= 0.0) choice = nullptr;
         while (choice != nullptr && !keepsItsPromise(*choice, advice)) {
-            lose(*choice);
+            leave(*choice, Standing::Loses);
             choice = chosen();
         }
-        for (Entrant& entrant : m_entrants) finish(entrant);
+        for (Entrant& entrant : m_entrants) setTimes(entrant, m_entrants.front());
         for (const Entrant& entrant : m_entrants)
             if (entrant.figures.limit && entrant.figures.ratioToAll) advice.limitRatio = entrant.figures.ratioToAll->ratio;
         if (choice != nullptr) advice.headroomShare = headroomOf(*choice, m_entrants);
         fill(advice, choice);
-    }
-
-    [[nodiscard]] static bool sumsKnown(const Entrant& entrant) { return sumOf(entrant.times) > 0.0; }
-
-    void finish(Entrant& entrant) {
-        const bool raced = sumsKnown(entrant);
-        const std::vector<std::vector<double>>& times = raced ? entrant.times : entrant.probes;
-        const std::vector<std::vector<double>>& all = raced ? m_entrants.front().times : m_entrants.front().probes;
-        AdvisedStrategy& figures = entrant.figures;
-        figures.views = size_t(std::ranges::count_if(times, [](const auto& view) { return !view.empty(); }));
-        if (figures.views == 0) return;
-        figures.frameMilliseconds = sumOf(times) / double(figures.views);
-        figures.ratioToAll = ratioBetween(all, times);
-        const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
-        if (saved > 0.0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
     }
 
     void fill(Advice& advice, const Entrant* choice) const {
@@ -334,6 +333,7 @@ private:
     Race m_race;
     StructureStore m_structures;
     BuiltStrategyPointer m_lastBuilt;
+    std::vector<BuiltStrategyPointer> m_defaults;
     std::vector<size_t> m_order;
     std::vector<Entrant> m_entrants;  ///< the first one draws everything
 };

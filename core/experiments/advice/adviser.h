@@ -17,14 +17,14 @@ struct AdviseRequest {
     Viewport size{640, 480};
     Upload upload = Upload::Vbo;
     double maxMissed = 0.0;  ///< of the covered pixels: the share that may be lost; 0: only what promises to lose nothing will do
-    double buildSeconds = 0.0;  ///< after which building ends; 0: 100 frames of the fastest so far, at least 2 seconds
+    double buildSeconds = 0.0;  ///< after which building ends; 0: 100 frames of the fastest so far, at least half a second
 };
 
 /// How a strategy came out.
 enum class Standing {
     Finished,   ///< it was in the race to the end
     Behind,     ///< it left: by its 95 % interval it is slower than the fastest
-    FarBehind,  ///< it left after the first views, or was not tried: it, or its default, took several times as long as the
+    FarBehind,  ///< it left after the first views, or was not tried: it, or its default, took at least twice as long as the
                 ///< fastest
     Loses,      ///< it promises nothing here, or lost more than is allowed
     Refused     ///< it does not serve the scene, or building takes too long
@@ -64,8 +64,8 @@ struct Advice {
     bool interrupted = false;
 };
 
-/// What is tried: every strategy that needs no file and is no limit, at its defaults, followed by every value of the sweeps
-/// that it declares; the baselines first.
+/// What is tried: every strategy that needs no file and is no limit, at its defaults, the baselines first; then every value of
+/// the sweeps that they declare.
 [[nodiscard]] std::vector<StrategyRequest> candidates();
 
 /// Measures the strategies that can serve a scene, and leaves out early those that cannot win: builds each, draws it at two

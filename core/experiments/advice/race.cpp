@@ -108,6 +108,19 @@ std::vector<const Entrant*> ranked(const std::vector<Entrant>& entrants, const E
     return order;
 }
 
+void setTimes(Entrant& entrant, const Entrant& everything) {
+    const bool raced = sumOf(entrant.times) > 0.0;
+    const std::vector<std::vector<double>>& times = raced ? entrant.times : entrant.probes;
+    const std::vector<std::vector<double>>& all = raced ? everything.times : everything.probes;
+    AdvisedStrategy& figures = entrant.figures;
+    figures.views = size_t(std::ranges::count_if(times, [](const auto& view) { return !view.empty(); }));
+    if (figures.views == 0) return;
+    figures.frameMilliseconds = sumOf(times) / double(figures.views);
+    figures.ratioToAll = ratioBetween(all, times);
+    const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
+    if (saved > 0.0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
+}
+
 std::vector<StrategyRequest> candidates() {
     std::vector<StrategyRequest> requests;
     const auto add = [&](StrategyRequest request) {
@@ -118,16 +131,17 @@ std::vector<StrategyRequest> candidates() {
     const auto needsFile = [](const StrategyInfo& info) {
         return std::ranges::any_of(info.parameters, [](const auto& declared) { return declared.type == ParameterType::File; });
     };
-    for (const RegisteredStrategy& strategy : strategies()) {
-        if (strategy.info.limit || needsFile(strategy.info)) continue;
-        add({strategy.info.id, ParameterSet(strategy.info.parameters)});
-        for (const DeclaredSweep& sweep : strategy.info.sweeps)
+    std::vector<const StrategyInfo*> tried;
+    for (const RegisteredStrategy& strategy : strategies())
+        if (!strategy.info.limit && !needsFile(strategy.info)) tried.push_back(&strategy.info);
+    for (const StrategyInfo* info : tried) add({info->id, ParameterSet(info->parameters)});
+    for (const StrategyInfo* info : tried)
+        for (const DeclaredSweep& sweep : info->sweeps)
             for (const std::string& value : sweep.values) {
-                StrategyRequest request{strategy.info.id, ParameterSet(strategy.info.parameters)};
+                StrategyRequest request{info->id, ParameterSet(info->parameters)};
                 request.parameters.setFromText(sweep.key, value);
                 add(std::move(request));
             }
-    }
     return requests;
 }
 

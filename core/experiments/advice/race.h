@@ -69,6 +69,10 @@ private:
 /// The sum over the views of the medians, milliseconds.
 [[nodiscard]] double sumOf(const std::vector<std::vector<double>>& times);
 
+/// Fills in what an entrant's times say, beside those of drawing everything: of the race, or of the first views where it left
+/// after them.
+void setTimes(Entrant& entrant, const Entrant& everything);
+
 /// The share of what any culling could save of drawing everything, by the first entrant and the limit among them.
 [[nodiscard]] std::optional<RatioEstimate> headroomOf(const Entrant& choice, const std::vector<Entrant>& entrants);
 

@@ -288,8 +288,8 @@ uint64_t lostToTriangle4(const MeshPointer& second, double share) {
     const ScenePointer scene = sceneOf({squareMesh(1, -1), second});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 10}, {64, 64});
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
-    EXPECT_EQ(reference.triangle[kPixel], 2u);
+    Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
+    reference.triangle[kPixel] = 2;  // also where the second square is the nearer one, as of a raster that errs
     ShownPixels shown{reference.depth, reference.triangle};
     shown.triangle[kPixel] = 4;
     shown.depth[kPixel] = float(share * reference.depth[kPixel]);
@@ -314,6 +314,11 @@ TEST(MissedBeyondSnapping, lineInWhichTwoSurfacesMeetIsAnEdgeOfBoth) {
 TEST(MissedBeyondSnapping, polygonsInOnePlaneAreUnresolvedHoweverOpenGlRoundsTheirDepths) {
     EXPECT_EQ(lostToTriangle4(squareMesh(0.75f, -1), 1 - 0x1p-18), 0u);
     EXPECT_EQ(lostToTriangle4(squareMesh(0.75f, -1.00002f), 1 - 0x1p-16), 1u) << "another plane";
+}
+
+TEST(MissedBeyondSnapping, nearerPlaneIsNoLossThoughARasterMisplacedItsDepth) {
+    EXPECT_EQ(lostToTriangle4(squareMesh(0.75f, -0.99f), 0.99), 0u);
+    EXPECT_EQ(lostToTriangle4(squareMesh(0.75f, -1.01f), 0.99), 1u) << "the farther one";
 }
 
 TEST(MissedBeyondSnapping, backFaceCullingLosesNoSurfaceOfAClosedMesh) {

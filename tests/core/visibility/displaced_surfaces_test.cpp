@@ -31,6 +31,21 @@ TEST(DisplacedSurfaces, picturesArePromisedWhereFloatsMoveNoSurfaceByAPixel) {
     }
 }
 
+TEST(DisplacedSurfaces, picturesFarAsideInAWideFieldOfViewArePromisedFromFartherAhead) {
+    // Balls of radius 1, 20 aside: what moves one by a millionth moves its picture by that over the square of what it is ahead.
+    const auto promise = [](double fieldOfView, double ahead) {
+        const ScenePointer scene = sceneOf({sphereMesh(2000)}, {translation(Vec3(ahead, 0.0, 20.0))});
+        const CullerPointer culler = makeCuller("backface");
+        culler->build(*scene);
+        return culler->promiseAt(
+            View(Camera{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, Angle::fromDegrees(fieldOfView), 0.01, 100}, {1600, 1200}));
+    };
+    EXPECT_EQ(promise(179.0, 0.5), Promise::Approximate) << "it passes the eye's plane";
+    EXPECT_EQ(promise(179.0, 1.01), Promise::Approximate);
+    EXPECT_EQ(promise(179.0, 3.0), Promise::Conservative);
+    EXPECT_EQ(promise(60.0, 0.5), Promise::Conservative) << "out of view";
+}
+
 TEST(DisplacedSurfaces, parallelPicturesArePromisedWherePixelsAreWiderThanFloatsMove) {
     const ScenePointer scene = sceneOf({sphereMesh(2000)}, {translation(Vec3(0.0))});
     for (const char* id : {"depth-buffer", "scan-line", "backface"}) {
