@@ -88,7 +88,8 @@ struct ShownPixels {
 [[nodiscard]] std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, const ShownPixels& shown,
                                                                const Scene& scene, const View& view,
                                                                const std::optional<PictureTile>& tile = {});
-/// The same of a log's picture in a tile. Where anything is left to explain, it is drawn once more to know its triangles, too.
+/// The same of a log's picture in a tile. Where anything is left to explain, it is drawn once more to know its triangles, too,
+/// and a centre within 1/64 pixel of an edge of a part that the frame drew of the reference's triangle is explained.
 [[nodiscard]] std::vector<uint32_t> pixelsMissedBeyondSnapping(Renderer& renderer, const SceneBuffers& buffers,
                                                                const FrameLog& log, const Reference& reference,
                                                                const ShownPixels& shown, const PictureTile& tile);

@@ -16,15 +16,9 @@ struct RasterTriangle {
     size_t count = 0;
 };
 
-RasterTriangle rasterised(const Scene& scene, const View& view, uint64_t triangle) {
-    const size_t number = scene.instanceOf(triangle);
-    const TriangleMesh& mesh = scene.meshOf(number);
-    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
+RasterTriangle rasterised(const View& view, const std::array<Vec3, 3>& fromEye) {
     std::array<Vec4, 3> clip;
-    for (size_t i = 0; i < 3; ++i) {
-        const Vec3 world(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0));
-        clip[i] = view.clipFromEyeRelative() * Vec4(world - view.eye(), 1.0);
-    }
+    for (size_t i = 0; i < 3; ++i) clip[i] = view.clipFromEyeRelative() * Vec4(fromEye[i], 1.0);
     RasterTriangle result;
     const auto add = [&](const Vec4& corner) {
         result.corners[result.count++] = {(corner.x / corner.w + 1.0) * 0.5 * view.viewport().width,
@@ -37,6 +31,18 @@ RasterTriangle rasterised(const Scene& scene, const View& view, uint64_t triangl
         if ((d >= 0.0) != (e >= 0.0)) add(here + (next - here) * (d / (d - e)));
     }
     return result;
+}
+
+/// The corners of a scene's triangle, from the eye.
+std::array<Vec3, 3> cornersFromEye(const Scene& scene, const View& view, uint64_t triangle) {
+    const size_t number = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(number);
+    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
+    std::array<Vec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i)
+        corners[i] =
+            Vec3(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0)) - view.eye();
+    return corners;
 }
 
 double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
@@ -72,13 +78,7 @@ struct DepthOfPlane {
 };
 
 DepthOfPlane depthOfPlaneAt(const Scene& scene, const View& view, uint64_t triangle, const Vec2& centre) {
-    const size_t number = scene.instanceOf(triangle);
-    const TriangleMesh& mesh = scene.meshOf(number);
-    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
-    std::array<Vec3, 3> corners;
-    for (size_t i = 0; i < 3; ++i)
-        corners[i] =
-            Vec3(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0)) - view.eye();
+    const std::array<Vec3, 3> corners = cornersFromEye(scene, view, triangle);
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double offset = glm::dot(normal, corners[0]);
     const auto depthAt = [&](double x, double y) { return view.depthOfPlane(normal, offset, x, y); };
@@ -101,14 +101,51 @@ bool isNotNearer(const Scene& scene, const View& view, uint64_t nearer, uint64_t
 bool snappingExplains(const Scene& scene, const View& view, uint32_t item, uint32_t other, const Vec2& centre, double gap,
                       double depth) {
     if (gap <= kTwoRoundings * depth) return true;
-    const RasterTriangle triangle = rasterised(scene, view, item - 1);
+    const RasterTriangle triangle = rasterised(view, cornersFromEye(scene, view, item - 1));
     if (triangle.count > 0 && (distanceToEdges(triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(triangle)))
         return true;
     if (other == 0) return false;
-    const RasterTriangle before = rasterised(scene, view, other - 1);
+    const RasterTriangle before = rasterised(view, cornersFromEye(scene, view, other - 1));
     return (before.count > 0 && distanceToEdges(before, centre) <= kNearAnEdge) ||
            isNotNearer(scene, view, item - 1, other - 1, centre);
 }
+
+/// The parts of triangles that a frame drew in place of the scene's, by triangle.
+class DrawnParts {
+public:
+    DrawnParts(const Scene& scene, const FrameLog& log) : m_scene(scene) {
+        for (const Command& command : log.commands) {
+            const auto* const own = std::get_if<OwnTrianglesPointer>(&command);
+            if (own == nullptr) continue;
+            for (const OwnTriangles::Run& run : (*own)->runs)
+                for (uint32_t i = run.first; i < run.first + run.count; ++i)
+                    m_parts.push_back({(*own)->triangles[i], run.instance, &(*own)->positions[3 * size_t(i)]});
+        }
+        std::ranges::sort(m_parts, {}, &Part::triangle);
+    }
+
+    /// Whether a pixel's centre lies within 1/64 pixel of an edge of one of a triangle's parts. Where parts meet and only one has
+    /// a corner, each is snapped by itself: they may leave a pixel to neither.
+    [[nodiscard]] bool edgeNear(const View& view, uint32_t triangle, const Vec2& centre) const {
+        return std::ranges::any_of(std::ranges::equal_range(m_parts, triangle, {}, &Part::triangle), [&](const Part& part) {
+            const Vec3 origin = m_scene.meshOf(part.instance).origin();
+            std::array<Vec3, 3> corners;
+            for (size_t i = 0; i < 3; ++i)
+                corners[i] = Vec3(m_scene.instances()[part.instance].worldFromMesh * Vec4(origin + Vec3(part.corners[i]), 1.0)) -
+                             view.eye();
+            const RasterTriangle raster = rasterised(view, corners);
+            return raster.count > 0 && distanceToEdges(raster, centre) <= kNearAnEdge;
+        });
+    }
+
+private:
+    struct Part {
+        uint32_t triangle, instance;
+        const Vec3f* corners;
+    };
+    const Scene& m_scene;
+    std::vector<Part> m_parts;
+};
 
 /// The centre of a tile's pixel in the whole picture.
 Vec2 centreOf(size_t pixel, const PictureTile& tile) {
@@ -142,10 +179,16 @@ std::vector<uint32_t> pixelsMissedBeyondSnapping(const Reference& reference, con
 std::vector<uint32_t> pixelsMissedBeyondSnapping(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log,
                                                  const Reference& reference, const ShownPixels& shown, const PictureTile& tile) {
     const View view(log.camera, log.size);
-    const std::vector<uint32_t> beyond = pixelsMissedBeyondSnapping(reference, shown, buffers.scene(), view, tile);
-    if (beyond.empty() || !shown.triangle.empty()) return beyond;
-    const ShownPixels named{shown.depth, renderer.drawItemBuffer(buffers, view, log, tile).triangle, {}};
-    return pixelsMissedBeyondSnapping(reference, named, buffers.scene(), view, tile);
+    std::vector<uint32_t> beyond = pixelsMissedBeyondSnapping(reference, shown, buffers.scene(), view, tile);
+    if (!beyond.empty() && shown.triangle.empty()) {
+        const ShownPixels named{shown.depth, renderer.drawItemBuffer(buffers, view, log, tile).triangle, {}};
+        beyond = pixelsMissedBeyondSnapping(reference, named, buffers.scene(), view, tile);
+    }
+    if (beyond.empty() || log.drawsScene()) return beyond;
+    const DrawnParts parts(buffers.scene(), log);
+    std::erase_if(beyond,
+                  [&](uint32_t pixel) { return parts.edgeNear(view, reference.triangle[pixel] - 1, centreOf(pixel, tile)); });
+    return beyond;
 }
 
 std::vector<uint32_t> trianglesAt(const Reference& reference, const std::vector<uint32_t>& pixels) {

@@ -234,6 +234,9 @@ TEST_F(Certify, viewsOf179DegreesLoseNothing) {
 // The item buffer has a wrong depth where a sliver's plane is rounded, and showed a back side before the front one of a stick.
 TEST_F(Certify, sticksThousandsOfPixelsLongAreJudgedByExactDepths) { expectNothingLost("backface", {5708, 7267, 8389, 8394}); }
 
+// Where two parts that bsp cut of a triangle meet, and a corner lies on the edge of one alone, snapping left a pixel to neither.
+TEST_F(Certify, cracksBetweenPartsOfATriangleAreSnapping) { expectNothingLost("bsp", {19683}); }
+
 TEST_F(Certify, stoppedRunGoesOnWhereItWas) {
     CertifyRequest request{{strategyFromText("frustum")}};
     request.views = 6 * certify::kViewsOfABlock;
