@@ -13,10 +13,10 @@ namespace {
 
 constexpr size_t kProbes = 2;
 constexpr size_t kLeastViews = 6;       // before an interval may exclude a strategy
-constexpr size_t kMostTurns = 5;        // at each view
+constexpr size_t kMostTurns = 3;        // at each view
 constexpr double kFar = 2.5;            // as many times as long as the fastest: no interval needed
 constexpr double kExcluded = 0.96;      // the interval's end below which a slower one leaves
-constexpr double kFarOfVariants = 2.0;  // of a default, so that its other values are not tried
+constexpr double kFarOfVariants = 1.5;  // of a default, so that its other values are not tried
 constexpr double kSame = 0.99;          // faster by less does not count against a smaller structure
 constexpr double kBuildFrames = 100.0, kLeastBuildSeconds = 0.5;
 constexpr double kFrameSeconds = 1.0, kLongFrames = 10.0;

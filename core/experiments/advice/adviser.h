@@ -24,7 +24,7 @@ struct AdviseRequest {
 enum class Standing {
     Finished,   ///< it was in the race to the end
     Behind,     ///< it left: by its 95 % interval it is slower than the fastest
-    FarBehind,  ///< it left after the first views, or was not tried: it, or its default, took at least twice as long as the
+    FarBehind,  ///< it left after the first views, or was not tried: it, or its default, took much longer than the
                 ///< fastest
     Loses,      ///< it promises nothing here, or lost more than is allowed
     Refused     ///< it does not serve the scene, or building takes too long
