@@ -33,15 +33,18 @@ RasterTriangle rasterised(const View& view, const std::array<Vec3, 3>& fromEye) 
     return result;
 }
 
+/// A point of an instance's mesh, from the eye.
+Vec3 fromEye(const Scene& scene, const View& view, size_t instance, const Vec3& point) {
+    return Vec3(scene.instances()[instance].worldFromMesh * Vec4(point, 1.0)) - view.eye();
+}
+
 /// The corners of a scene's triangle, from the eye.
 std::array<Vec3, 3> cornersFromEye(const Scene& scene, const View& view, uint64_t triangle) {
     const size_t number = scene.instanceOf(triangle);
     const TriangleMesh& mesh = scene.meshOf(number);
     const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
     std::array<Vec3, 3> corners;
-    for (size_t i = 0; i < 3; ++i)
-        corners[i] =
-            Vec3(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0)) - view.eye();
+    for (size_t i = 0; i < 3; ++i) corners[i] = fromEye(scene, view, number, mesh.position(mesh.indices()[first + i]));
     return corners;
 }
 
@@ -130,9 +133,7 @@ public:
         return std::ranges::any_of(std::ranges::equal_range(m_parts, triangle, {}, &Part::triangle), [&](const Part& part) {
             const Vec3 origin = m_scene.meshOf(part.instance).origin();
             std::array<Vec3, 3> corners;
-            for (size_t i = 0; i < 3; ++i)
-                corners[i] = Vec3(m_scene.instances()[part.instance].worldFromMesh * Vec4(origin + Vec3(part.corners[i]), 1.0)) -
-                             view.eye();
+            for (size_t i = 0; i < 3; ++i) corners[i] = fromEye(m_scene, view, part.instance, origin + Vec3(part.corners[i]));
             const RasterTriangle raster = rasterised(view, corners);
             return raster.count > 0 && distanceToEdges(raster, centre) <= kNearAnEdge;
         });

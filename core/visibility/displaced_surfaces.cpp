@@ -11,8 +11,8 @@ namespace cullscope {
 namespace {
 
 /// The most that displacement may move in the picture of a perspective view: a point p, `ahead` of the eye, displaced by d in
-/// some direction moves by d |p| / ahead² in the plane one unit ahead. Much of it is of the change of `ahead` where the view is
-/// wide.
+/// some direction moves by d |p| / ahead² in the plane one unit ahead. Far aside in a wide view nearly all of this comes from the
+/// change of `ahead`.
 struct PictureMotion {
     double unit = 0;    ///< d / most, where `most` is the largest motion allowed: motionless is ahead² >= unit |p|
     double secant = 1;  ///< the largest |p| / ahead that the view shows

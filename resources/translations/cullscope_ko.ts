@@ -7795,6 +7795,10 @@
         <source>These are no results of a block of cullbench certify: %1</source>
         <translation>cullbench certify의 블록 결과가 아닙니다: %1</translation>
     </message>
+    <message>
+        <source>not tried: at its defaults it cannot win</source>
+        <translation>시도하지 않음: 기본값으로 이길 수 없음</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

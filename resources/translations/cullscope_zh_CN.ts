@@ -7795,6 +7795,10 @@
         <source>These are no results of a block of cullbench certify: %1</source>
         <translation>这不是 cullbench certify 的分块结果：%1</translation>
     </message>
+    <message>
+        <source>not tried: at its defaults it cannot win</source>
+        <translation>未尝试：默认值下无法胜出</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -111,7 +111,8 @@ Message standingWords(const AdvisedStrategy& strategy) {
         case Standing::Behind:
             return {CULLSCOPE_TR("slower: its interval excludes the best"), {}};
         case Standing::FarBehind:
-            return {CULLSCOPE_TR("far slower at the first views"), {}};
+            return strategy.views == 0 ? Message{CULLSCOPE_TR("not tried: at its defaults it cannot win"), {}}
+                                       : Message{CULLSCOPE_TR("far slower at the first views"), {}};
         case Standing::Loses:
             return strategy.lostPixels == 0 ? Message{CULLSCOPE_TR("promises nothing in these views"), {}}
                                             : Message{CULLSCOPE_TR("loses more than is allowed"), {}};

@@ -24,8 +24,8 @@ struct AdviseRequest {
 enum class Standing {
     Finished,   ///< it was in the race to the end
     Behind,     ///< it left: by its 95 % interval it is slower than the fastest
-    FarBehind,  ///< it left after the first views, or was not tried: it, or its default, took much longer than the
-                ///< fastest
+    FarBehind,  ///< it left after the first views, which took it several times as long as the fastest; or another value of a
+                ///< parameter was not tried, as its default was refused or too slow
     Loses,      ///< it promises nothing here, or lost more than is allowed
     Refused     ///< it does not serve the scene, or building takes too long
 };
