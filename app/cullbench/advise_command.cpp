@@ -31,9 +31,11 @@ void adviseOn(const AdviseOptions& options, Context& context) {
     clearProgress();
     if (advice.interrupted && !advice.best) throwNothingMeasured();
     if (!options.json.empty()) writeText(options.json, adviceJson(advice));
-    if (!options.svg.empty())
-        writeText(options.svg,
-                  linePlotsSvg({TradePlot(tradePoints(advice), tradeFigure("ratio_to_all"), tradeFigure(kUsualUp)).plot({})}));
+    if (!options.svg.empty()) {
+        std::vector<TradePoint> points;
+        for (const advice::AdvisedStrategy* strategy : pictured(advice)) points.push_back(tradePoint(*strategy));
+        writeText(options.svg, linePlotsSvg({TradePlot(points, tradeFigure("ratio_to_all"), tradeFigure(kUsualUp)).plot({})}));
+    }
     printText(options.json == "-" || options.svg == "-" ? stderr : stdout, adviceText(advice));
     if (advice.interrupted) context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
 }

@@ -19,7 +19,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr QSize kAdviseSize{1240, 680};
+constexpr QSize kAdviseSize{1240, 760};
 constexpr QSize kAdvisePlotSize{960, 480};
 constexpr double kPerMillion = 1e6;
 constexpr double kAnswerLetters = 1.25;  // of the usual size
@@ -42,12 +42,9 @@ RunFigures figuresOf(const advice::AdvisedStrategy& strategy) {
 
 std::vector<RunFigures> pointsOf(const advice::Advice& advice) {
     std::vector<RunFigures> points;
-    const std::vector<TradePoint> trade = advice::tradePoints(advice);
-    size_t number = 0;
-    for (const advice::AdvisedStrategy& strategy : advice.strategies) {
-        if (strategy.views == 0 || !strategy.ratioToAll) continue;
-        RunFigures figures = figuresOf(strategy);
-        figures.values = trade[number++].values;
+    for (const advice::AdvisedStrategy* strategy : advice::pictured(advice)) {
+        RunFigures figures = figuresOf(*strategy);
+        figures.values = advice::tradePoint(*strategy).values;
         if (const auto lost = figures.values.find(kUsualUp); lost != figures.values.end())
             figures.missedPpm = lost->second.ratio * kPerMillion;
         points.push_back(std::move(figures));

@@ -181,27 +181,39 @@ std::string adviceJson(const Advice& advice) {
     return plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
+TradePoint tradePoint(const AdvisedStrategy& strategy) {
+    const auto plain = [](double value) { return RatioEstimate{value, {value, value}, false}; };
+    TradePoint point;
+    point.name = point.label = strategyLabel(strategy.strategy);
+    point.promise = strategy.promise;
+    point.role = findStrategy(strategy.strategy.id).info.baseline;
+    point.views = strategy.judgedViews > 0 ? strategy.judgedViews : strategy.views;
+    if (strategy.ratioToAll) point.values["ratio_to_all"] = *strategy.ratioToAll;
+    point.values["build_ms"] = plain(strategy.structure.buildMilliseconds);
+    point.values["structure_bytes"] = plain(double(strategy.structure.bytes));
+    // What was not judged stands where its promise says.
+    if (strategy.missedRate())
+        point.values[kUsualUp] = plain(*strategy.missedRate());
+    else if (strategy.promise != Promise::Approximate)
+        point.values[kUsualUp] = plain(0.0);
+    return point;
+}
+
 std::vector<TradePoint> tradePoints(const Advice& advice) {
     std::vector<TradePoint> points;
-    const auto plain = [](double value) { return RatioEstimate{value, {value, value}, false}; };
-    for (const AdvisedStrategy& strategy : advice.strategies) {
-        if (strategy.views == 0 || !strategy.ratioToAll) continue;
-        TradePoint point;
-        point.name = point.label = strategyLabel(strategy.strategy);
-        point.promise = strategy.promise;
-        point.role = findStrategy(strategy.strategy.id).info.baseline;
-        point.views = strategy.judgedViews > 0 ? strategy.judgedViews : strategy.views;
-        point.values["ratio_to_all"] = *strategy.ratioToAll;
-        point.values["build_ms"] = plain(strategy.structure.buildMilliseconds);
-        point.values["structure_bytes"] = plain(double(strategy.structure.bytes));
-        // What was not judged stands where its promise says.
-        if (strategy.missedRate())
-            point.values[kUsualUp] = plain(*strategy.missedRate());
-        else if (strategy.promise != Promise::Approximate)
-            point.values[kUsualUp] = plain(0.0);
-        points.push_back(std::move(point));
-    }
+    for (const AdvisedStrategy& strategy : advice.strategies)
+        if (strategy.views > 0 && strategy.ratioToAll) points.push_back(tradePoint(strategy));
     return points;
+}
+
+std::vector<const AdvisedStrategy*> pictured(const Advice& advice) {
+    std::vector<const AdvisedStrategy*> shown;
+    for (const AdvisedStrategy& strategy : advice.strategies) {
+        if (strategy.views == 0 || !strategy.ratioToAll || strategy.standing == Standing::FarBehind) continue;
+        const auto ofTheSame = [&](const AdvisedStrategy* other) { return other->strategy.id == strategy.strategy.id; };
+        if (strategy.everything || std::ranges::none_of(shown, ofTheSame)) shown.push_back(&strategy);
+    }
+    return shown;
 }
 
 }  // namespace cullscope::advice

@@ -82,5 +82,9 @@ struct Advice {
 [[nodiscard]] std::string adviceJson(const Advice& advice);
 /// The timed ones as points: ratio_to_all, lost_pixel_rate, build_ms, structure_bytes.
 [[nodiscard]] std::vector<TradePoint> tradePoints(const Advice& advice);
+[[nodiscard]] TradePoint tradePoint(const AdvisedStrategy& strategy);
+/// Those that have room in a picture, in their order: the drawing of everything, and of each other strategy the value that came
+/// first, but for what is far slower.
+[[nodiscard]] std::vector<const AdvisedStrategy*> pictured(const Advice& advice);
 
 }  // namespace cullscope::advice

@@ -68,6 +68,15 @@ TEST(Advice, answersWithAStrategyThatLosesNothingAndSaysWhatBecameOfEachOther) {
     EXPECT_EQ(json["recommended"], strategyText(best.strategy));
     EXPECT_EQ(json["strategies"].size(), advice.strategies.size());
     EXPECT_EQ(TradePlot(advice::tradePoints(advice), tradeFigure("ratio_to_all"), tradeFigure(kUsualUp)).empty(), false);
+    const std::vector<const advice::AdvisedStrategy*> shown = advice::pictured(advice);
+    ASSERT_FALSE(shown.empty());
+    EXPECT_EQ(shown.front(), &best);
+    std::set<std::string> once;
+    for (const advice::AdvisedStrategy* one : shown) {
+        EXPECT_NE(one->standing, advice::Standing::FarBehind) << strategyText(one->strategy);
+        if (!one->everything) EXPECT_TRUE(once.insert(one->strategy.id).second) << strategyText(one->strategy);
+    }
+    EXPECT_LT(shown.size(), advice::tradePoints(advice).size()) << "values that the table has alone";
 }
 
 TEST(Advice, whatMayLoseSomethingIsChosenOnlyWithinTheAllowedLoss) {
