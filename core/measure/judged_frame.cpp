@@ -130,7 +130,9 @@ public:
     /// Whether a pixel's centre lies within 1/64 pixel of an edge of one of a triangle's parts. Where parts meet and only one has
     /// a corner, each is snapped by itself: they may leave a pixel to neither.
     [[nodiscard]] bool edgeNear(const View& view, uint32_t triangle, const Vec2& centre) const {
-        return std::ranges::any_of(std::ranges::equal_range(m_parts, triangle, {}, &Part::triangle), [&](const Part& part) {
+        const auto first = std::ranges::lower_bound(m_parts, triangle, {}, &Part::triangle);
+        const auto end = std::ranges::upper_bound(first, m_parts.end(), triangle, {}, &Part::triangle);
+        return std::any_of(first, end, [&](const Part& part) {
             const Vec3 origin = m_scene.meshOf(part.instance).origin();
             std::array<Vec3, 3> corners;
             for (size_t i = 0; i < 3; ++i) corners[i] = fromEye(m_scene, view, part.instance, origin + Vec3(part.corners[i]));

@@ -81,6 +81,10 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// time, and a new file moves them: Clang then takes the one for hidden by the other, and stops.
 [[nodiscard]] std::vector<Offence> aliasOffences(const std::filesystem::path& root);
 
+/// Uses of what Clang 14 does not compile of GCC 12's library: sub-ranges, the algorithms of `std::ranges` that return
+/// one, and views. GCC builds them, so that only the sanitizers' build, a quarter of an hour later, would stop at them.
+[[nodiscard]] std::vector<Offence> rangesOffences(const std::filesystem::path& root);
+
 /// Sources of more than 350 lines: they are split by subject.
 [[nodiscard]] std::vector<Offence> longSourceOffences(const std::filesystem::path& root);
 

@@ -44,4 +44,21 @@ std::vector<Offence> aliasOffences(const fs::path& root) {
     return offences;
 }
 
+std::vector<Offence> rangesOffences(const fs::path& root) {
+    static const std::regex kOfASubrange(
+        R"(\b(ranges::(subrange|equal_range|search|search_n|find_end|unique|remove|remove_if|rotate|partition|stable_partition)\b|views::\w+))");
+    std::vector<Offence> offences;
+    for (const char* folder : {"core", "ui", "app", "tests"}) {
+        for (const fs::path& path : filesBelow(root / folder, {".cpp", ".h"})) {
+            if (path.filename().string().starts_with("clang_rules")) continue;
+            for (const Line& line : linesOf(path)) {
+                std::smatch use;
+                if (std::regex_search(line.text, use, kOfASubrange))
+                    offences.push_back({fs::relative(path, root), line.number, "is not compiled by Clang 14: " + use[1].str()});
+            }
+        }
+    }
+    return offences;
+}
+
 }  // namespace cullscope::rules
