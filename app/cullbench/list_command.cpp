@@ -6,6 +6,7 @@
 #include "core/experiments/experiment_list.h"
 #include "core/scene/gallery/gallery.h"
 #include "core/scene/gltf/gltf_scene.h"
+#include "core/scene/ifc/ifc_scene.h"
 #include "core/scene/polygon_scene.h"
 #include "core/scene/quake/quake_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
@@ -124,8 +125,10 @@ void printScenes() {
     say("Scenes: a mesh file (");
     for (const std::string& extension : readableMeshExtensions())
         say("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
-    say("), polygons (.{}), a plant (.{}), a level (.{}), glTF (.{}, .{}), each also compressed (.gz, .xz), or a generator\n",
-        kPolygonExtension, kRvmExtension, kQuakeExtension, kGltfExtensions[0], kGltfExtensions[1]);
+    say("), polygons (.{}), a plant (.{}), a level (.{}), glTF (.{}, .{}), a building (.{}), each also compressed (.gz, .xz), or "
+        "a "
+        "generator\n",
+        kPolygonExtension, kRvmExtension, kQuakeExtension, kGltfExtensions[0], kGltfExtensions[1], kIfcExtension);
     for (const GeneratorInfo& generator : listedScenes()) {
         say("  {:<12} {}\n", generator.id, generator.description);
         for (const GeneratorParameter& parameter : generator.parameters)

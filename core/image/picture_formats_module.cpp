@@ -5,16 +5,14 @@
 #include <filesystem>
 
 #include "core/base/error.h"
+#include "core/base/filter_program.h"
 #include "core/base/memory_limit.h"
 
 namespace cullscope {
 namespace {
 
 const PictureFormats& opened() {
-    std::error_code unknown;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
-    const std::filesystem::path file =
-        (program.parent_path() / ".." / "lib" / "cullscope" / "picture_formats.so").lexically_normal();
+    const std::filesystem::path file = ownLibraryFile("picture_formats.so");
     void* const module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* const function = module == nullptr ? nullptr : dlsym(module, kPictureFormatsFunction);
     if (function == nullptr && memoryIsShort())

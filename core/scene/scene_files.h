@@ -14,8 +14,12 @@ struct FileScene {
     LoadReport report;
 };
 
+/// What a file contains, unpacked. Throws Error(Input) where it cannot be read, or twice its size is more memory than `options`
+/// allow.
+[[nodiscard]] std::string contentOf(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress);
+
 /// Extensions of all files that openScene (scene_source.h) reads, lower case without a dot: meshes, polygons, plants, levels,
-/// glTF.
+/// glTF, buildings.
 [[nodiscard]] const std::vector<std::string>& readableSceneExtensions();
 
 }  // namespace cullscope

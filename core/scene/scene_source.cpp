@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/scene/gallery/gallery.h"
 #include "core/scene/gltf/gltf_scene.h"
+#include "core/scene/ifc/ifc_scene.h"
 #include "core/scene/polygon_scene.h"
 #include "core/scene/quake/quake_scene.h"
 #include "core/scene/rvm/rvm_scene.h"
@@ -28,7 +29,7 @@ constexpr std::array kSceneFormats{
     SceneFormat{isPolygonFile, readPolygonFile},
     SceneFormat{isRvmFile, [](const std::filesystem::path& path, const LoadOptions& options,
                               const Progress& progress) { return readRvmFile(path, options, progress); }},
-    SceneFormat{isQuakeFile, readQuakeFile}, SceneFormat{isGltfFile, readGltfFile}};
+    SceneFormat{isQuakeFile, readQuakeFile}, SceneFormat{isGltfFile, readGltfFile}, SceneFormat{isIfcFile, readIfcFile}};
 
 }  // namespace
 

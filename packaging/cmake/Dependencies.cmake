@@ -15,6 +15,7 @@ find_package(SQLite3 REQUIRED)
 find_package(ZLIB REQUIRED)
 find_package(LibLZMA REQUIRED)
 find_package(draco REQUIRED)
+find_package(assimp REQUIRED)
 find_path(TinyGltfHeader tiny_gltf.h REQUIRED)  # compiled in core/scene/gltf
 # Debian's CMake files for OpenImageIO require its command line tools, and those require Qt 5; its pkg-config file requires
 # neither.

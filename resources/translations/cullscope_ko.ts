@@ -5324,8 +5324,8 @@
         <translation>%1 파일은 다른 버전이 쓴 것입니다. 블록이 이 버전의 것과 다릅니다.</translation>
     </message>
     <message>
-        <source>%1 is no state of cullbench certify that can be read.</source>
-        <translation>%1 파일은 읽을 수 있는 cullbench certify 상태가 아닙니다.</translation>
+        <source>%1 is no state of cullbench certify that can be read. Name another file, or remove it and begin anew.</source>
+        <translation>%1은(는) 읽을 수 있는 cullbench certify 상태 파일이 아닙니다. 다른 파일을 지정하거나, 지우고 새로 시작하십시오.</translation>
     </message>
     <message>
         <source>There is nothing to merge: name state files.</source>
@@ -6352,8 +6352,8 @@
         <translation>이 측정으로는 차이를 알 수 없음: B의 속도는 A의 %1배</translation>
     </message>
     <message>
-        <source>%1 is no result store, or is damaged: name another file with --store.</source>
-        <translation>%1 파일은 결과 저장소가 아니거나 손상되었습니다. --store로 다른 파일을 지정하십시오.</translation>
+        <source>%1 is no result store, or is damaged. Name another file.</source>
+        <translation>%1은(는) 결과 저장소가 아니거나 손상되었습니다. 다른 파일을 지정하십시오.</translation>
     </message>
     <message>
         <source>%1 is in use: another program has been writing to it for half a minute.</source>
@@ -6370,10 +6370,6 @@
     <message>
         <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
         <translation>%1 파일은 더 새로운 버전의 Cullscope로 기록되었습니다(구조 %2, 이 버전은 %3까지). 그 버전을 사용하십시오.</translation>
-    </message>
-    <message>
-        <source>%1 is no result file of cullbench measure.</source>
-        <translation>%1 파일은 cullbench measure의 결과 파일이 아닙니다.</translation>
     </message>
     <message>
         <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
@@ -7799,6 +7795,114 @@
         <source>not tried: at its defaults it cannot win</source>
         <translation>시도하지 않음: 기본값으로 이길 수 없음</translation>
     </message>
+    <message>
+        <source>A file cannot be converted in memory: %1. Close other programs.</source>
+        <translation>메모리에서 파일을 변환할 수 없습니다: %1. 다른 프로그램을 닫으세요.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2. Install or build Cullscope again.</source>
+        <translation>%1 프로그램을 시작할 수 없습니다: %2. Cullscope를 다시 설치하거나 빌드하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps and experiments have no frames: measure them with --store.</source>
+        <translation>%1은(는) cullbench measure, race, certify의 결과 파일도 결과 저장소도 아닙니다. 스윕과 실험의 결과 파일에는 프레임이 없으니 --store로 측정하십시오.</translation>
+    </message>
+    <message>
+        <source>numbers of windows</source>
+        <translation>창의 수</translation>
+    </message>
+    <message>
+        <source>ways of uploading vertices</source>
+        <translation>정점 업로드 방식</translation>
+    </message>
+    <message>
+        <source>%1: &quot;size&quot; must be two whole numbers from 1 to %2: width and height of the picture.</source>
+        <translation>%1: &quot;size&quot;는 1에서 %2까지의 정수 두 개(그림의 너비와 높이)여야 합니다.</translation>
+    </message>
+    <message>
+        <source>a flat box above a plane</source>
+        <translation>평면 위의 납작한 상자</translation>
+    </message>
+    <message>
+        <source>a sphere that a plane cuts, ten million from the origin</source>
+        <translation>원점에서 천만 떨어진 곳에서 평면이 자르는 구</translation>
+    </message>
+    <message>
+        <source>what is left of a file with broken faces: one triangle</source>
+        <translation>깨진 면이 있는 파일에서 남은 것: 삼각형 하나</translation>
+    </message>
+    <message>
+        <source>a triangle over the seam of a map of directions</source>
+        <translation>방향 지도의 이음매에 걸친 삼각형</translation>
+    </message>
+    <message>
+        <source>a triangle around the pole of a map of directions</source>
+        <translation>방향 지도의 극을 둘러싼 삼각형</translation>
+    </message>
+    <message>
+        <source>triangles at azimuths of 90 and 225 degrees</source>
+        <translation>방위각 90도와 225도의 삼각형</translation>
+    </message>
+    <message>
+        <source>a triangle with a corner whose azimuth rounds to a whole turn</source>
+        <translation>방위각이 한 바퀴로 반올림되는 꼭짓점을 가진 삼각형</translation>
+    </message>
+    <message>
+        <source>a triangle with a corner a hundred-millionth of a degree from the pole</source>
+        <translation>꼭짓점 하나가 극에서 1억분의 1도 떨어진 삼각형</translation>
+    </message>
+    <message>
+        <source>four hundred boxes, each of which has a name in selection mode</source>
+        <translation>선택 모드에서 저마다 이름을 가진 상자 사백 개</translation>
+    </message>
+    <message>
+        <source>%1 is no IFC file of the kind that is read: it does not begin with &quot;%2&quot;. Export it as IFC 2x3 (.ifc, not .ifcXML or .ifcZIP).</source>
+        <translation>%1 파일은 읽을 수 있는 종류의 IFC 파일이 아닙니다. &quot;%2&quot;(으)로 시작하지 않습니다. IFC 2x3으로 내보내십시오(.ifcXML이나 .ifcZIP이 아닌 .ifc).</translation>
+    </message>
+    <message>
+        <source>%1 breaks off: &quot;%2&quot; is missing at its end. Copy or export it again.</source>
+        <translation>%1 파일이 중간에 끊깁니다. 끝에 &quot;%2&quot;이(가) 없습니다. 다시 복사하거나 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1 has the schema %2; only IFC 2x3 is read. Export the building so, or convert it to glTF.</source>
+        <translation>%1 파일의 스키마는 %2입니다. IFC 2x3만 읽습니다. 건물을 IFC 2x3으로 내보내거나 glTF로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>Shapes left out of kinds that are not read: %1 (%2).</source>
+        <translation>읽지 않는 종류여서 제외한 형상: %1개(%2).</translation>
+    </message>
+    <message>
+        <source>Elements whose openings are not all cut, because of their shape: %1 (the first is #%2).</source>
+        <translation>형상 때문에 개구부를 모두 잘라내지 못한 요소: %1개(첫 번째는 #%2).</translation>
+    </message>
+    <message>
+        <source>Other warnings of the reader: %1 (the first: %2).</source>
+        <translation>판독기의 다른 경고: %1개(첫 번째: %2).</translation>
+    </message>
+    <message>
+        <source>Converting</source>
+        <translation>변환 중</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: it makes the reader of IFC files (Assimp) crash. Export it again, or convert it to glTF.</source>
+        <translation>%1 파일을 읽을 수 없습니다. 이 파일은 IFC 판독기(Assimp)를 비정상 종료시킵니다. 다시 내보내거나 glTF로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as IFC: %2. IFC 2x3 is read; export the building so, or convert it to glTF.</source>
+        <translation>%1 파일을 IFC로 읽을 수 없습니다: %2. IFC 2x3을 읽습니다. 건물을 IFC 2x3으로 내보내거나 glTF로 변환하십시오.</translation>
+    </message>
+    <message>
+        <source>Speed, same sides</source>
+        <translation>속도(같은 면)</translation>
+    </message>
+    <message>
+        <source>Speed, everything</source>
+        <translation>속도(전부)</translation>
+    </message>
+    <message>
+        <source>Speed, front faces</source>
+        <translation>속도(앞면)</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -7895,10 +7999,6 @@ OpenGL %2
         <translation>보장</translation>
     </message>
     <message>
-        <source>× drawing everything</source>
-        <translation>× 모두 그리기</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>프레임</translation>
     </message>
@@ -7913,10 +8013,6 @@ OpenGL %2
     <message>
         <source>Structure</source>
         <translation>자료구조</translation>
-    </message>
-    <message>
-        <source>Paid back after, frames</source>
-        <translation>되갚는 프레임 수</translation>
     </message>
     <message>
         <source>How it came out</source>
@@ -7961,6 +8057,22 @@ OpenGL %2
     <message>
         <source>Nothing is measured yet. Choose a camera path above and press Advise.</source>
         <translation>아직 측정한 것이 없습니다. 위에서 카메라 경로를 고르고 조언을 누르십시오.</translation>
+    </message>
+    <message>
+        <source>Headroom</source>
+        <translation>여유</translation>
+    </message>
+    <message>
+        <source>Share of the time saved that any culling could save</source>
+        <translation>어떤 컬링이든 아낄 수 있는 시간 중 아낀 비율</translation>
+    </message>
+    <message>
+        <source>× everything</source>
+        <translation>× 전부 그리기</translation>
+    </message>
+    <message>
+        <source>Paid back, frames</source>
+        <translation>회수까지의 프레임</translation>
     </message>
 </context>
 <context>
@@ -10533,10 +10645,6 @@ sides [95 %]</source>
         <translation>진행</translation>
     </message>
     <message>
-        <source>This case has no scene.</source>
-        <translation>이 사례에는 장면이 없습니다.</translation>
-    </message>
-    <message>
         <source>Double click: open %1</source>
         <translation>두 번 클릭: %1 열기</translation>
     </message>
@@ -10735,7 +10843,6 @@ sides [95 %]</source>
     </message>
     <message>
         <source>→ %1</source>
-        <extracomment>An axis of a plot and its figure.</extracomment>
         <translation>→ %1</translation>
     </message>
     <message>
@@ -10749,6 +10856,18 @@ sides [95 %]</source>
     <message>
         <source>Which columns the table shows</source>
         <translation>표에 보일 열</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>How many times as fast as the column&apos;s strategy the row&apos;s is, and how many milliseconds a view it takes less (−) or more (+), each with its 95 % interval. Bold: faster for certain; ≈: not decided.</source>
+        <translation>행의 전략이 열의 전략보다 몇 배 빠른지, 그리고 뷰마다 몇 밀리초 덜(−) 또는 더(+) 걸리는지를 95 % 신뢰 구간과 함께 보여 줍니다. 굵게: 확실히 더 빠름, ≈: 결정되지 않음.</translation>
+    </message>
+    <message>
+        <source>Each strategy is held against each other one as soon as an experiment has ended.</source>
+        <translation>실험이 끝나면 모든 전략을 서로 견주어 보여 줍니다.</translation>
     </message>
 </context>
 <context>

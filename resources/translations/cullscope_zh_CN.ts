@@ -5536,8 +5536,8 @@
         <translation>%1 由另一版本写成：其分块与本版本不同。</translation>
     </message>
     <message>
-        <source>%1 is no state of cullbench certify that can be read.</source>
-        <translation>%1 不是可读的 cullbench certify 状态文件。</translation>
+        <source>%1 is no state of cullbench certify that can be read. Name another file, or remove it and begin anew.</source>
+        <translation>%1 不是可读取的 cullbench certify 状态文件。请指定其他文件，或将其删除后重新开始。</translation>
     </message>
     <message>
         <source>There is nothing to merge: name state files.</source>
@@ -6273,7 +6273,7 @@
     </message>
     <message>
         <source>in the race to the end</source>
-        <translation>坚持到比赛结束</translation>
+        <translation>参与比较直到最后</translation>
     </message>
     <message>
         <source>slower: its interval excludes the best</source>
@@ -6352,8 +6352,8 @@
         <translation>此次测量看不出差别：B 的速度是 A 的 %1 倍</translation>
     </message>
     <message>
-        <source>%1 is no result store, or is damaged: name another file with --store.</source>
-        <translation>%1 不是结果库，或已损坏：请用 --store 指定另一个文件。</translation>
+        <source>%1 is no result store, or is damaged. Name another file.</source>
+        <translation>%1 不是结果库，或已损坏。请指定其他文件。</translation>
     </message>
     <message>
         <source>%1 is in use: another program has been writing to it for half a minute.</source>
@@ -6370,10 +6370,6 @@
     <message>
         <source>%1 was written by a newer version of Cullscope (layout %2, this one knows %3): use that one.</source>
         <translation>%1 由更新版本的 Cullscope 写入（布局 %2，本版本只支持到 %3）：请使用那个版本。</translation>
-    </message>
-    <message>
-        <source>%1 is no result file of cullbench measure.</source>
-        <translation>%1 不是 cullbench measure 的结果文件。</translation>
     </message>
     <message>
         <source>%1 has no measurement %2: list them with cullbench store %1 list.</source>
@@ -7799,6 +7795,114 @@
         <source>not tried: at its defaults it cannot win</source>
         <translation>未尝试：默认值下无法胜出</translation>
     </message>
+    <message>
+        <source>A file cannot be converted in memory: %1. Close other programs.</source>
+        <translation>无法在内存中转换文件：%1。请关闭其他程序。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2. Install or build Cullscope again.</source>
+        <translation>无法启动 %1：%2。请重新安装或构建 Cullscope。</translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps and experiments have no frames: measure them with --store.</source>
+        <translation>%1 不是 cullbench measure、race 或 certify 的结果文件，也不是结果库。扫描和实验的结果文件不含帧：请用 --store 测量。</translation>
+    </message>
+    <message>
+        <source>numbers of windows</source>
+        <translation>窗口数</translation>
+    </message>
+    <message>
+        <source>ways of uploading vertices</source>
+        <translation>顶点上传方式</translation>
+    </message>
+    <message>
+        <source>%1: &quot;size&quot; must be two whole numbers from 1 to %2: width and height of the picture.</source>
+        <translation>%1：“size”必须是 1 到 %2 的两个整数：图像的宽和高。</translation>
+    </message>
+    <message>
+        <source>a flat box above a plane</source>
+        <translation>平面上方的扁盒</translation>
+    </message>
+    <message>
+        <source>a sphere that a plane cuts, ten million from the origin</source>
+        <translation>距原点一千万处被平面切开的球</translation>
+    </message>
+    <message>
+        <source>what is left of a file with broken faces: one triangle</source>
+        <translation>含损坏面的文件中余下的：一个三角形</translation>
+    </message>
+    <message>
+        <source>a triangle over the seam of a map of directions</source>
+        <translation>跨越方向图接缝的三角形</translation>
+    </message>
+    <message>
+        <source>a triangle around the pole of a map of directions</source>
+        <translation>环绕方向图极点的三角形</translation>
+    </message>
+    <message>
+        <source>triangles at azimuths of 90 and 225 degrees</source>
+        <translation>方位角 90 度和 225 度的三角形</translation>
+    </message>
+    <message>
+        <source>a triangle with a corner whose azimuth rounds to a whole turn</source>
+        <translation>有一个顶点的方位角舍入为整圈的三角形</translation>
+    </message>
+    <message>
+        <source>a triangle with a corner a hundred-millionth of a degree from the pole</source>
+        <translation>有一个顶点距极点一亿分之一度的三角形</translation>
+    </message>
+    <message>
+        <source>four hundred boxes, each of which has a name in selection mode</source>
+        <translation>四百个盒子，在选择模式下各有名称</translation>
+    </message>
+    <message>
+        <source>%1 is no IFC file of the kind that is read: it does not begin with &quot;%2&quot;. Export it as IFC 2x3 (.ifc, not .ifcXML or .ifcZIP).</source>
+        <translation>%1 不是可读取的 IFC 文件：它不以“%2”开头。请导出为 IFC 2x3（.ifc，而非 .ifcXML 或 .ifcZIP）。</translation>
+    </message>
+    <message>
+        <source>%1 breaks off: &quot;%2&quot; is missing at its end. Copy or export it again.</source>
+        <translation>%1 中断：末尾缺少“%2”。请重新复制或导出。</translation>
+    </message>
+    <message>
+        <source>%1 has the schema %2; only IFC 2x3 is read. Export the building so, or convert it to glTF.</source>
+        <translation>%1 的模式为 %2；只读取 IFC 2x3。请将建筑按此导出，或转换为 glTF。</translation>
+    </message>
+    <message>
+        <source>Shapes left out of kinds that are not read: %1 (%2).</source>
+        <translation>省略的形状（其种类不读取）：%1（%2）。</translation>
+    </message>
+    <message>
+        <source>Elements whose openings are not all cut, because of their shape: %1 (the first is #%2).</source>
+        <translation>因形状而未能切出全部洞口的构件：%1（第一个为 #%2）。</translation>
+    </message>
+    <message>
+        <source>Other warnings of the reader: %1 (the first: %2).</source>
+        <translation>读取程序的其他警告：%1（第一个：%2）。</translation>
+    </message>
+    <message>
+        <source>Converting</source>
+        <translation>正在转换</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: it makes the reader of IFC files (Assimp) crash. Export it again, or convert it to glTF.</source>
+        <translation>无法读取 %1：它会使 IFC 读取程序（Assimp）崩溃。请重新导出，或转换为 glTF。</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as IFC: %2. IFC 2x3 is read; export the building so, or convert it to glTF.</source>
+        <translation>%1 无法作为 IFC 读取：%2。可读取 IFC 2x3；请将建筑按此导出，或转换为 glTF。</translation>
+    </message>
+    <message>
+        <source>Speed, same sides</source>
+        <translation>速度（同样的面）</translation>
+    </message>
+    <message>
+        <source>Speed, everything</source>
+        <translation>速度（全部）</translation>
+    </message>
+    <message>
+        <source>Speed, front faces</source>
+        <translation>速度（正面）</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -7895,10 +7999,6 @@ OpenGL %2
         <translation>保证</translation>
     </message>
     <message>
-        <source>× drawing everything</source>
-        <translation>× 绘制全部</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>帧</translation>
     </message>
@@ -7913,10 +8013,6 @@ OpenGL %2
     <message>
         <source>Structure</source>
         <translation>结构</translation>
-    </message>
-    <message>
-        <source>Paid back after, frames</source>
-        <translation>收回所需帧数</translation>
     </message>
     <message>
         <source>How it came out</source>
@@ -7961,6 +8057,22 @@ OpenGL %2
     <message>
         <source>Nothing is measured yet. Choose a camera path above and press Advise.</source>
         <translation>尚未测量。请在上方选择相机路径并按“建议”。</translation>
+    </message>
+    <message>
+        <source>Headroom</source>
+        <translation>余地</translation>
+    </message>
+    <message>
+        <source>Share of the time saved that any culling could save</source>
+        <translation>在任何剔除所能节省的时间中节省的比例</translation>
+    </message>
+    <message>
+        <source>× everything</source>
+        <translation>× 绘制全部</translation>
+    </message>
+    <message>
+        <source>Paid back, frames</source>
+        <translation>收回所需帧数</translation>
     </message>
 </context>
 <context>
@@ -10533,10 +10645,6 @@ sides [95 %]</source>
         <translation>进度</translation>
     </message>
     <message>
-        <source>This case has no scene.</source>
-        <translation>此案例没有场景。</translation>
-    </message>
-    <message>
         <source>Double click: open %1</source>
         <translation>双击：打开 %1</translation>
     </message>
@@ -10735,7 +10843,6 @@ sides [95 %]</source>
     </message>
     <message>
         <source>→ %1</source>
-        <extracomment>An axis of a plot and its figure.</extracomment>
         <translation>→ %1</translation>
     </message>
     <message>
@@ -10749,6 +10856,18 @@ sides [95 %]</source>
     <message>
         <source>Which columns the table shows</source>
         <translation>表格显示哪些列</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>How many times as fast as the column&apos;s strategy the row&apos;s is, and how many milliseconds a view it takes less (−) or more (+), each with its 95 % interval. Bold: faster for certain; ≈: not decided.</source>
+        <translation>行中策略的速度是列中策略的多少倍，以及每个视图少用（−）或多用（+）多少毫秒，均附 95 % 区间。粗体：确定更快；≈：未定。</translation>
+    </message>
+    <message>
+        <source>Each strategy is held against each other one as soon as an experiment has ended.</source>
+        <translation>实验结束后，各策略将两两比较。</translation>
     </message>
 </context>
 <context>

@@ -131,8 +131,8 @@ TEST_F(Window, theWheelOverTheDockKeepsTheStrategy) {
 
 TEST(FileDialog, typesHaveNamesBesideTheirPatterns) {
     const QString all = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 0, 0);
-    for (const char* pattern : {"*.obj", "*.PLY", "*.polygons", "*.rvm", "*.bsp", "*.gltf", "*.GLB", "*.obj.gz", "*.PLY.XZ",
-                                "*.cullscope", "*.png", "*.exr"})
+    for (const char* pattern : {"*.obj", "*.PLY", "*.polygons", "*.rvm", "*.bsp", "*.gltf", "*.GLB", "*.ifc", "*.obj.gz",
+                                "*.PLY.XZ", "*.cullscope", "*.png", "*.exr"})
         EXPECT_TRUE(all.contains(QLatin1String(pattern))) << pattern << " is opened by the one dialog: " << all.toStdString();
     const QString meshes = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 1, 1);
     EXPECT_TRUE(meshes.startsWith(QStringLiteral("Meshes (obj, "))) << meshes.toStdString();

@@ -132,15 +132,15 @@ bool isGltfFile(const std::filesystem::path& path) {
     return std::ranges::find(kGltfExtensions, extensionOf(path)) != kGltfExtensions.end();
 }
 
-FileScene readGltfFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
-    constexpr double kReadingShare = 0.5;
+FileScene readGltf(std::string content, const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
+    constexpr double kReadingShare = 0.3;
     const Progress assembling = progress.part(kReadingShare, 1.0);
     MeshAssembler assembler(path.string(), options, assembling);
     try {
         uint64_t buffers = 0;
         const gltf::RequireMemory requireMemory = [&](uint64_t bytes) { assembler.requireMemory(buffers + bytes); };
         const gltf::ModelFile file =
-            gltf::readModel(path, requireMemory, options.memoryLimitBytes, progress.part(0.0, kReadingShare));
+            gltf::readModel(std::move(content), path, requireMemory, options.memoryLimitBytes, progress.part(0.0, kReadingShare));
         buffers = file.bytes;
         gltf::SceneBuilder builder(*file.model, assembler, path.string(), requireMemory, assembling);
         builder.build();
@@ -149,6 +149,12 @@ FileScene readGltfFile(const std::filesystem::path& path, const LoadOptions& opt
         throwInput(CULLSCOPE_TR("%1 needs more memory than this machine gives. Simplify the mesh or split the file."),
                    {path.string()});
     }
+}
+
+FileScene readGltfFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
+    constexpr double kReadingShare = 0.3;
+    return readGltf(contentOf(path, options, progress.part(0.0, kReadingShare)), path, options,
+                    progress.part(kReadingShare, 1.0));
 }
 
 }  // namespace cullscope

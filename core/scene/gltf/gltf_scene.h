@@ -21,4 +21,8 @@ inline constexpr std::array<const char*, 2> kGltfExtensions{"gltf", "glb"};
 [[nodiscard]] FileScene readGltfFile(const std::filesystem::path& path, const LoadOptions& options = {},
                                      const Progress& progress = {});
 
+/// The same of what such a file contains. `path` is its name in messages, and beside it lie its buffers.
+[[nodiscard]] FileScene readGltf(std::string content, const std::filesystem::path& path, const LoadOptions& options,
+                                 const Progress& progress);
+
 }  // namespace cullscope

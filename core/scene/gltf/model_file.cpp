@@ -104,19 +104,16 @@ bool isKnown(const std::string& extension) {
 
 }  // namespace
 
-ModelFile readModel(const fs::path& path, const RequireMemory& requireMemory, uint64_t memoryLimit, const Progress& progress) {
-    ByteSource source(path, progress, false, memoryLimit);
-    requireMemory(2 * source.size());
-    std::string content = source.rest();
-    const Container container = containerOf(content, source.name());
+ModelFile readModel(std::string content, const fs::path& path, const RequireMemory& requireMemory, uint64_t memoryLimit,
+                    const Progress& progress) {
+    const std::string name = path.string();
+    const Container container = containerOf(content, name);
     if (content.size() > std::numeric_limits<uint32_t>::max())
-        throwInput(CULLSCOPE_TR("%1 has more than 4 GB. Split the file, or put its buffers into files beside it."),
-                   {source.name()});
+        throwInput(CULLSCOPE_TR("%1 has more than 4 GB. Split the file, or put its buffers into files beside it."), {name});
     const auto firstByte = size_t(container.json.data() - content.data());
-    prepareJson(content.data() + firstByte, container.json.size(), firstByte, container.binary.size(), source.name(),
-                requireMemory);
+    prepareJson(content.data() + firstByte, container.json.size(), firstByte, container.binary.size(), name, requireMemory);
 
-    Folder folder(path, source.name(), requireMemory, memoryLimit, progress);
+    Folder folder(path, name, requireMemory, memoryLimit, progress);
     tinygltf::TinyGLTF reader;
     reader.SetFsCallbacks(callbacksFor(folder));
     auto model = std::make_shared<tinygltf::Model>();
@@ -138,9 +135,8 @@ ModelFile readModel(const fs::path& path, const RequireMemory& requireMemory, ui
     for (const std::string& extension : model->extensionsRequired)
         if (!isKnown(extension))
             throwInput(CULLSCOPE_TR("%1 requires the extension \"%2\", which is not read. Export the file without it."),
-                       {source.name(), terminalLine(extension)});
-    if (!read)
-        throwInput(CULLSCOPE_TR("%1 cannot be read as glTF 2.0: %2. Export the file again."), {source.name(), oneLine(error)});
+                       {name, terminalLine(extension)});
+    if (!read) throwInput(CULLSCOPE_TR("%1 cannot be read as glTF 2.0: %2. Export the file again."), {name, oneLine(error)});
     ModelFile file{nullptr, 0};
     for (const tinygltf::Buffer& buffer : model->buffers) file.bytes += buffer.data.size();
     file.model = std::move(model);

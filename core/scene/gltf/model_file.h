@@ -19,10 +19,10 @@ struct ModelFile {
     uint64_t bytes = 0;  ///< of memory that its buffers take
 };
 
-/// Reads a .gltf or .glb, packed or not, with the buffers that it names: data URIs, and files in its own folder or below. Throws
-/// Error(Input) for a file that is none, for buffers elsewhere, and for extensions without which it cannot be shown; and where
-/// `requireMemory` does.
-[[nodiscard]] ModelFile readModel(const std::filesystem::path& path, const RequireMemory& requireMemory, uint64_t memoryLimit,
-                                  const Progress& progress);
+/// Reads the content of a .gltf or .glb at `path`, with the buffers that it names: data URIs, and files in its own folder or
+/// below. Throws Error(Input) for a file that is none, for buffers elsewhere, and for extensions without which it cannot be
+/// shown; and where `requireMemory` does.
+[[nodiscard]] ModelFile readModel(std::string content, const std::filesystem::path& path, const RequireMemory& requireMemory,
+                                  uint64_t memoryLimit, const Progress& progress);
 
 }  // namespace cullscope::gltf

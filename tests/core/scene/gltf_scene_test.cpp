@@ -9,6 +9,7 @@
 #include "tests/support/mesh_files.h"
 #include "tests/support/packed_bytes.h"
 #include "tests/support/refusal.h"
+#include "tests/support/scene_words.h"
 
 namespace cullscope::test::gltf_scene_test {
 namespace {
@@ -26,18 +27,6 @@ protected:
     }
     [[nodiscard]] std::string refused(const GltfModel& model) const { return refused(model.glb()); }
 };
-
-std::vector<std::string> namesOf(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const Instance& instance : scene.instances()) names.push_back(instance.name);
-    return names;
-}
-
-std::vector<std::string> remarksOf(const LoadReport& report) {
-    std::vector<std::string> remarks;
-    for (const Message& remark : report.remarks) remarks.push_back(remark.english());
-    return remarks;
-}
 
 void expectBox(const Box3& box, const Vec3& low, const Vec3& high) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "core/scene/scene_source.h"
