@@ -12,49 +12,42 @@ namespace {
 
 struct CertifyOptions {
     std::string shard, state, cases, json;
+    std::string store;
     std::vector<std::string> strategies, parameters, merge;
     uint64_t views = 10'000, seed = 1;
     size_t threads = 0;
     bool worker = false;
 };
 
-/// "I/N", both from 1.
-std::pair<uint64_t, uint64_t> shardFromText(const std::string& text) {
-    uint64_t shard = 0, shards = 0;
-    const char* end = text.data() + text.size();
-    const auto first = std::from_chars(text.data(), end, shard);
-    const auto second = first.ptr < end && *first.ptr == '/' ? std::from_chars(first.ptr + 1, end, shards) : first;
-    constexpr uint64_t kMostShards = 100'000;
-    if (second.ec != std::errc() || second.ptr != end || shard < 1 || shard > shards || shards > kMostShards)
-        throwUsage(CULLSCOPE_TR("--shard %1 is not I/N with I from 1 to N, as in 3/16."), {text});
-    return {shard, shards};
-}
-
-void report(const std::vector<certify::Certificate>& certificates, const std::string& json, Context& context) {
+void report(const std::vector<certify::Certificate>& certificates, const CertifyOptions& options, Context& context) {
     const auto lost = [](const certify::Certificate& one) { return !one.counterexamples.empty(); };
     if (context.stop.stop_requested() && !std::ranges::all_of(certificates, &certify::Certificate::complete))
         context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
     else if (std::ranges::any_of(certificates, lost))
         context.exitStatus = 1;
-    if (!json.empty()) writeText(json, certify::certificatesJson(certificates));
-    for (const certify::Certificate& one : certificates) printText(json == "-" ? stderr : stdout, certify::certificateText(one));
+    if (!options.json.empty()) writeText(options.json, certify::certificatesJson(certificates));
+    if (!options.store.empty()) {
+        const store::ResultStore opened(options.store);
+        for (const certify::Certificate& one : certificates) (void)opened.addCertificate(one);
+    }
+    for (const certify::Certificate& one : certificates)
+        printText(options.json == "-" ? stderr : stdout, certify::certificateText(one));
 }
 
 void merge(const CertifyOptions& options, Context& context) {
     std::vector<certify::Certificate> certificates;
     for (const std::string& file : options.merge)
         for (certify::Certificate& one : certify::readCertificates(file)) certificates.push_back(std::move(one));
-    report(certify::merged(certificates), options.json, context);
+    report(certify::merged(certificates), options, context);
 }
 
 void run(const CertifyOptions& options, Context& context) {
-    checkOutputPlaces({options.json});
+    checkOutputPlaces({options.json, options.state}, options.store);
     if (!options.merge.empty()) {
         if (!options.strategies.empty()) throwUsage(CULLSCOPE_TR("--merge takes state files alone: leave out the strategy."));
         return merge(options, context);
     }
     if (options.strategies.empty()) throwUsage(CULLSCOPE_TR("Name the strategy to be certified, or state files with --merge."));
-    checkOutputPlaces({options.state});
     certify::CertifyRequest request;
     request.strategies = strategiesOf(options.strategies, options.parameters);
     request.views = options.views;
@@ -71,7 +64,7 @@ void run(const CertifyOptions& options, Context& context) {
     }
     const std::vector<certify::Certificate> certificates = certify::certify(request, terminalProgress(context));
     clearProgress();
-    report(certificates, options.json, context);
+    report(certificates, options, context);
 }
 
 }  // namespace
@@ -96,6 +89,7 @@ void addCertifyCommand(CLI::App& app, Context& context) {
         ->check(CLI::Range(size_t{1}, size_t{1024}));
     command->add_option("--merge", options->merge, "state files of shards, to be put together");
     command->add_option("--json", options->json, "result file; - is standard output");
+    command->add_option("--store", options->store, "result store (SQLite) that the certificates go into");
     command->add_flag("--worker", options->worker)->group("");
     command->callback([options, &context] { run(*options, context); });
 }

@@ -41,6 +41,13 @@ void addAdviseCommand(CLI::App& app, Context& context);
 void addRaceCommand(CLI::App& app, Context& context);
 void addWorstCommand(CLI::App& app, Context& context);
 void addStoreCommand(CLI::App& app, Context& context);
+void addStudyCommand(CLI::App& app, Context& context);
+
+/// Words of a command line as a POSIX shell takes them, with the program's name in front.
+[[nodiscard]] std::string commandLine(const std::vector<std::string>& words);
+
+/// Of --shard I/N: I and N, I from 1 to N. Throws Error(Usage).
+[[nodiscard]] std::pair<uint64_t, uint64_t> shardFromText(const std::string& text);
 
 /// A progress bar on standard error where that is a terminal; none in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);
@@ -122,8 +129,9 @@ void requireRecorded(const std::unique_ptr<store::Recorder>& recorder);
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);
 
 /// Checks that files can be written (requireWritable), before the work instead of after it; empty paths pass. Throws
-/// Error(Usage).
-void checkOutputPlaces(const std::vector<std::string>& paths);
+/// Error(Usage), also where two of them are one file, or one is a result store or the `store` that is written to: a result file
+/// in its place would take all measurements away.
+void checkOutputPlaces(const std::vector<std::string>& paths, const std::string& store = {});
 
 /// Throws Error(Interrupted): a measurement was stopped before it had anything that could be written in place of an older result.
 [[noreturn]] void throwNothingMeasured();

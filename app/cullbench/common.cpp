@@ -234,10 +234,6 @@ void requireAvailable(const StrategyRequest& request, const GlInfo& gl) {
     if (const std::optional<Message> why = unavailable(findStrategy(request.id).info, gl)) throw Error(ErrorKind::OpenGl, *why);
 }
 
-void checkOutputPlaces(const std::vector<std::string>& paths) {
-    for (const std::string& path : paths) requireWritable(path);
-}
-
 void throwNothingMeasured() {
     throw Error(ErrorKind::Interrupted,
                 {CULLSCOPE_TR("Stopped before anything was measured: files with older results stay as they were."), {}});

@@ -1,4 +1,5 @@
 #include <map>
+#include <optional>
 
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
@@ -11,21 +12,23 @@
 namespace cullscope::cullbench {
 namespace {
 
+constexpr Viewport kUsualSize{640, 480};
+
 struct JudgeOptions {
     SceneChoice scene;
-    std::string path, drawn, json, size = "640x480", facing = "two-sided";
+    std::string path, drawn, json, size, facing = "two-sided";
 };
 
 void judge(const JudgeOptions& options, Context& context) {
-    const Viewport size = sizeFromText(options.size);
+    const std::optional<Viewport> asked = options.size.empty() ? std::nullopt : std::optional(sizeFromText(options.size));
     checkOutputPlaces({options.json});
     suite::JudgeRequest request;
     request.scene = openSceneForCommand(options.scene, context).scene;
-    request.size = size;
     request.drawn = readDrawnSets(options.drawn, *request.scene);
     if (options.path.empty() && request.drawn.path.poses.empty())
         throwUsage(CULLSCOPE_TR("%1 has no cameras: name the camera path with --path."), {options.drawn});
     request.path = options.path.empty() ? request.drawn.path : cameraPath(options.path, *request.scene, {nullptr, context.stop});
+    request.size = asked ? *asked : request.drawn.size.value_or(kUsualSize);
     const std::map<std::string, Facing> rules{
         {"two-sided", Facing::TwoSided}, {"front", Facing::Front}, {"auto", facingByObject(*request.scene)}};
     request.facing = rules.at(options.facing);
@@ -57,7 +60,7 @@ void addJudgeCommand(CLI::App& app, Context& context) {
     addSceneOptions(*command, options->scene);
     command->add_option("--drawn", options->drawn, "what is drawn at each pose (docs/files.md)")->required();
     command->add_option("--path", options->path, "camera path: file or built-in name (default: the cameras beside the sets)");
-    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: that in FILE, else 640x480)");
     command->add_option("--facing", options->facing, "which faces the program draws: two-sided, front, auto")
         ->check(CLI::IsMember({"two-sided", "front", "auto"}))
         ->capture_default_str();

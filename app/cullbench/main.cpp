@@ -57,28 +57,11 @@ int said(const CLI::App& app, const CLI::ParseError& failure) {
     return status;
 }
 
-/// The words as a POSIX shell takes them, with the program's name in front.
-std::string commandLine(int argc, char** argv) {
-    std::string line = "cullbench";
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=:,./@%";
-        if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) {
-            line.append(" ").append(word);
-            continue;
-        }
-        line += " '";
-        for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        line += "'";
-    }
-    return line;
-}
-
 int run(int argc, char** argv) {
     const std::stop_source interrupt = stopOnInterrupt();
     Context context;
     context.stop = interrupt.get_token();
-    context.command = commandLine(argc, argv);
+    context.command = commandLine({argv + 1, argv + argc});
 
     CLI::App app("Measures what a renderer does not draw, and what that costs in accuracy.", "cullbench");
     sayFailuresOnOneLine(app);
@@ -105,6 +88,7 @@ int run(int argc, char** argv) {
     addRaceCommand(app, context);
     addWorstCommand(app, context);
     addStoreCommand(app, context);
+    addStudyCommand(app, context);
     refuseEmptyValues(app);
     try {
         refuseEmptyAssignments(argc, argv);

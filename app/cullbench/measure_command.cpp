@@ -194,7 +194,7 @@ void report(const MeasureOptions& options, const MeasureResult& result) {
 void checkOutputs(const MeasureOptions& options) {
     if (options.json == "-" && options.csv == "-")
         throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
-    checkOutputPlaces({options.json, options.csv});
+    checkOutputPlaces({options.json, options.csv}, options.store);
 }
 
 int statusOf(const MeasureResult& result) {

@@ -11,7 +11,7 @@ struct RaceOptions {
     SceneChoice scene;
     RunOptions run;
     std::vector<std::string> strategies, parameters;
-    std::string json, csv;
+    std::string json, csv, store;
     bool noAccuracy = false;
 };
 
@@ -29,19 +29,21 @@ void race(const RaceOptions& options, Context& context) {
     request.accuracy = !options.noAccuracy;
     if (options.json == "-" && options.csv == "-")
         throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
-    checkOutputPlaces({options.json, options.csv});
+    checkOutputPlaces({options.json, options.csv}, options.store);
+    const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, "race", context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
     request.scene = opened.scene;
     request.path = options.run.viewsOf(*opened.scene, {nullptr, context.stop});
-    const MeasureResult result = measure(request, terminalProgress(context));
+    const MeasureResult result = store::measureInto(recorder.get(), request, terminalProgress(context));
     clearProgress();
     if (result.interrupted && result.runs.front().frames.empty()) throwNothingMeasured();
     if (!options.json.empty()) writeText(options.json, pairsJson(result));
     if (!options.csv.empty()) writeText(options.csv, pairsCsv(result));
     printText(options.json == "-" || options.csv == "-" ? stderr : stdout, pairsText(result));
     if (result.interrupted) context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
+    requireRecorded(recorder);
 }
 
 }  // namespace
@@ -55,6 +57,7 @@ void addRaceCommand(CLI::App& app, Context& context) {
     command->add_flag("--no-accuracy", options->noAccuracy, "time only");
     command->add_option("--json", options->json, "result file: that of measure, and the pairs; - is standard output");
     command->add_option("--csv", options->csv, "result file with one row a pair; - is standard output");
+    addStoreOption(*command, options->store);
     command->callback([options, &context] { race(*options, context); });
 }
 

@@ -121,8 +121,13 @@ private:
                                     fmt::format("cullbench figure {} -o figure-{}.svg", number, number)});
         write();
     }
+    /// Before the first table there is nothing that could stand in the place of an older report.
     void write() const {
-        if (!m_options.report.empty()) writeText(m_options.report, reproductionHtml(m_report));
+        if (!m_options.report.empty() && hasRows()) writeText(m_options.report, reproductionHtml(m_report));
+    }
+
+    [[nodiscard]] bool hasRows() const {
+        return std::ranges::any_of(m_report.tables, [](const ReportedTable& each) { return !each.table.rows.empty(); });
     }
 
     const CommandOptions& m_options;
@@ -171,8 +176,7 @@ void run(const CommandOptions& options, Context& context) {
         if (!file.empty()) checkPlots(option, experiments);
     if (!options.files.csv.empty() && experiments.size() > 1)
         throwUsage(CULLSCOPE_TR("--csv has the rows of one experiment: name it in place of %1."), {options.experiment});
-    checkTableFiles(options.files);
-    checkOutputPlaces({options.report});
+    checkTableFiles(options.files, {options.report}, options.store);
     if (options.report == "-") throwUsage(CULLSCOPE_TR("The report is written anew after every table: name a file with -o."));
     const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, options.experiment, context);
     std::vector<ResultTable> tables;
@@ -190,6 +194,8 @@ void run(const CommandOptions& options, Context& context) {
     if (failure) throw *failure;
     context.exitStatus = tableStatus(tables);
     requireRecorded(recorder);
+    if (recorder && !recorder->newest())
+        say(stderr, "cullbench: {} times no frames: nothing of it is in {}\n", options.experiment, options.store);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -119,18 +121,34 @@ void exportStored(const StoreOptions& options) {
     }
 }
 
-/// A certificate is told by its first field.
+void sayAdded(const store::Added& added, const std::string& file) {
+    say("{} {}: {}{}\n", added.isCertificate ? "certificate" : "measurement", added.number, file,
+        added.isNew ? "" : " (it was there already)");
+}
+
+/// When a file was written, as a store has times: result files do not say when they were measured.
+std::string timeOf(const std::string& file) {
+    const auto written = std::chrono::file_clock::to_sys(std::filesystem::last_write_time(file));
+    return store::timeText(std::chrono::floor<std::chrono::milliseconds>(written));
+}
+
+/// A store is told by SQLite's first words, a certificate by its first field.
 void addFile(const store::ResultStore& opened, const std::string& file, const std::string& command) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file});
     const std::string text{std::istreambuf_iterator<char>(in), {}};
+    if (text.starts_with("SQLite format 3")) {
+        for (const store::Added& added : opened.addAll(store::ResultStore(file, store::Database::Access::Existing)))
+            sayAdded(added, file);
+        return;
+    }
     constexpr size_t kFirstField = 40;
     if (text.substr(0, kFirstField).find("\"certificate\"") != std::string::npos) {
         for (const certify::Certificate& certificate : certify::readCertificates(file))
-            say("certificate {}: {}\n", opened.addCertificate(certificate), file);
+            sayAdded(opened.addCertificate(certificate), file);
         return;
     }
-    say("measurement {}: {}\n", opened.addFile(text, file, {"measure", command}), file);
+    sayAdded(opened.addFile(text, file, {"measure", command}, timeOf(file)), file);
 }
 
 void add(const StoreOptions& options, const Context& context) {
@@ -138,11 +156,35 @@ void add(const StoreOptions& options, const Context& context) {
     for (const std::string& file : options.files) addFile(opened, file, context.command);
 }
 
+CLI::Validator numberOfMeasurement() {
+    return {[](std::string& text) {
+                int64_t number = 0;
+                const char* const end = text.data() + text.size();
+                const auto [read, failure] = std::from_chars(text.data(), end, number);
+                return failure == std::errc() && read == end && number >= 1
+                           ? std::string()
+                           : "\"" + text + "\" is no number of a measurement, as in 3 (cullbench store FILE list)";
+            },
+            ""};
+}
+
+/// 2026, 2026-11 or 2026-11-25.
+CLI::Validator beginOfDate() {
+    return {[](std::string& text) {
+                constexpr std::string_view kPattern = "dddd-dd-dd";
+                bool fits = text.size() == 4 || text.size() == 7 || text.size() == 10;
+                for (size_t i = 0; fits && i < text.size(); ++i)
+                    fits = kPattern[i] == '-' ? text[i] == '-' : text[i] >= '0' && text[i] <= '9';
+                return fits ? std::string() : "\"" + text + "\" is no date as 2026, 2026-11 or 2026-11-25";
+            },
+            ""};
+}
+
 void addFilterOptions(CLI::App& command, store::Filter& filter) {
     command.add_option("--scene", filter.scene, "only scenes with this in their name");
     command.add_option("-s,--strategy", filter.strategy, "only measurements of a strategy with this in its text");
-    command.add_option("--since", filter.since, "from this date on: 2026, 2026-11 or 2026-11-25");
-    command.add_option("--until", filter.until, "up to this date, which is included");
+    command.add_option("--since", filter.since, "from this date on: 2026, 2026-11 or 2026-11-25")->check(beginOfDate());
+    command.add_option("--until", filter.until, "up to this date, which is included")->check(beginOfDate());
 }
 
 }  // namespace
@@ -151,15 +193,23 @@ void addStoreCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("store", "What measurements a result store has, compared and exported");
     auto options = std::make_shared<StoreOptions>();
     command->add_option("FILE", options->file, "result store, as --store made it")->required();
-    command->require_subcommand(1);
+    command->require_subcommand(0, 1);
+    command->allow_extras();
     command->fallthrough(false);
+    command->callback([command] {
+        if (!command->get_subcommands().empty()) return;
+        const std::vector<std::string> words = command->remaining();
+        if (words.empty()) throwUsage(CULLSCOPE_TR("Say what to do with the store: list, show, compare, export or add."));
+        throwUsage(CULLSCOPE_TR("\"%1\" is nothing that can be done with a store: list, show, compare, export, add."),
+                   {words.front()});
+    });
 
     CLI::App* lists = command->add_subcommand("list", "Its measurements and certificates");
     addFilterOptions(*lists, options->filter);
     lists->callback([options] { list(*options); });
 
     CLI::App* shows = command->add_subcommand("show", "One measurement: where, how, and each strategy's figures");
-    shows->add_option("NUMBER", options->number, "of the measurement")->required()->check(CLI::PositiveNumber);
+    shows->add_option("NUMBER", options->number, "of the measurement")->required()->check(numberOfMeasurement());
     shows->callback([options] { show(*options); });
 
     CLI::App* compares = command->add_subcommand("compare", "How many times as fast B is as A, and what each one lost");
@@ -169,15 +219,15 @@ void addStoreCommand(CLI::App& app, Context& context) {
 
     CLI::App* exports = command->add_subcommand("export", "Measurements as JSON and CSV, as measure writes them");
     exports->add_option("NUMBER", options->number, "of a measurement (default: all that the filter leaves)")
-        ->check(CLI::PositiveNumber);
+        ->check(numberOfMeasurement());
     addFilterOptions(*exports, options->filter);
     exports->add_option("--json", options->json, "result file; - is standard output");
     exports->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");
     exports->add_option("--svg", options->svg, "the time of a frame by pose, a plot for each measurement");
     exports->callback([options] { exportStored(*options); });
 
-    CLI::App* adds = command->add_subcommand("add", "Adds result files of measure and certificates of certify");
-    adds->add_option("RESULT", options->files, "JSON files")->required();
+    CLI::App* adds = command->add_subcommand("add", "Adds result files of measure, certificates and other stores");
+    adds->add_option("RESULT", options->files, "JSON files and result stores")->required();
     adds->callback([options, &context] { add(*options, context); });
 }
 

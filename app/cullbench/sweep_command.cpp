@@ -111,7 +111,7 @@ void run(const SweepOptions& options, Context& context) {
     setting.differentViews = options.run.windowViews == "different";
     setting.upload = options.run.uploadBy();
     setting.limitToo = !options.noLimit;
-    checkTableFiles(options.files);
+    checkTableFiles(options.files, {}, options.store);
     const std::unique_ptr<store::Recorder> recorder = recorderOf(options.store, "sweep", context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;

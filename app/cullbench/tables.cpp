@@ -31,11 +31,13 @@ std::vector<LinePlot> plotsOf(const std::vector<ResultTable>& tables) {
 
 }  // namespace
 
-void checkTableFiles(const TableFiles& files) {
+void checkTableFiles(const TableFiles& files, const std::vector<std::string>& others, const std::string& store) {
     if (const std::vector<std::string> options = onStandardOutput(files); options.size() > 1)
         throwUsage(CULLSCOPE_TR("%1 and %2 cannot both go to standard output: name a file for one of them."),
                    {options[0], options[1]});
-    checkOutputPlaces({files.json, files.csv, files.svg, files.png});
+    std::vector<std::string> all{files.json, files.csv, files.svg, files.png};
+    all.insert(all.end(), others.begin(), others.end());
+    checkOutputPlaces(all, store);
     if (!files.png.empty()) requirePictureFormat(files.png);
 }
 

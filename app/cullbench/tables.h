@@ -13,8 +13,8 @@ struct TableFiles {
     std::string json, csv, svg, png;
 };
 
-/// Throws Error(Usage) where two of them are standard output, or one cannot be written.
-void checkTableFiles(const TableFiles& files);
+/// Throws Error(Usage) where two of them are standard output, or as checkOutputPlaces of them and `others` does.
+void checkTableFiles(const TableFiles& files, const std::vector<std::string>& others = {}, const std::string& store = {});
 
 /// Where the tables are printed: standard error where standard output carries a file.
 [[nodiscard]] FILE* tableOutput(const TableFiles& files);

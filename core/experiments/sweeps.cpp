@@ -87,6 +87,8 @@ Rows sweepRows(const std::vector<Axis>& axes, const Setting& setting, const Meas
     for (const RunMeasurement& run : result.runs)
         if (!run.frames.empty() && std::find(onSweeps.begin(), onSweeps.end(), &run) == onSweeps.end())
             rows.push_back(rowCells(setting, run));
+    if (result.limit && !result.limit->frames.empty() && runOf(result, result.limit->strategy) == nullptr)
+        rows.push_back(rowCells(setting, *result.limit));
     return rows;
 }
 

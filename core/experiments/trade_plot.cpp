@@ -27,6 +27,9 @@ std::vector<TradeFigure> allFigures() {
         {"structure_bytes", CULLSCOPE_TR("Structure, bytes"), 1.0, 0, true, true},
         {kUsualUp, CULLSCOPE_TR("Missed per million"), 1e6, 2, true, true, true},
         {"largest_hole_px", CULLSCOPE_TR("Largest hole, pixels"), 1.0, 0, true, true, true}};
+    figures[0].brief = CULLSCOPE_TR("Speed, same sides");
+    figures[1].brief = CULLSCOPE_TR("Speed, everything");
+    figures[2].brief = CULLSCOPE_TR("Speed, front faces");
     for (const FieldFigure& field : fieldFigures()) {
         if (std::ranges::find(figures, field.key, &TradeFigure::key) != figures.end()) continue;
         const std::string_view key = field.key;
@@ -128,6 +131,8 @@ std::vector<TradePoint> tradePoints(const ResultTable& table) {
         point.promise = promiseFromId(wordsIn(table, row, "promise"));
         point.views = size_t(numberOf(table.value(row, "poses")).value_or(0.0));
         point.values = tradeValues(cells);
+        // The limit is timed and not judged: it draws what is visible.
+        if (findStrategy(request.id).info.limit) point.values.try_emplace(kUsualUp, RatioEstimate{0.0, {0.0, 0.0}, false});
         points.push_back(std::move(point));
     }
     return points;

@@ -24,6 +24,7 @@ struct TradeFigure {
     bool ofLoss = false;    ///< zero says that no view lost anything: "0 (< 3/n)"
     bool ofRatio = false;   ///< 1 is a baseline's
     std::string meaning{};  ///< FieldFigure::meaning, of the field's figures
+    std::string brief{};    ///< the title where there is little room, marked for translation; empty: the title
 };
 [[nodiscard]] const std::vector<TradeFigure>& tradeFigures();
 /// Throws Error(Usage) naming the known keys where there is no such figure.

@@ -66,7 +66,10 @@ RatioEstimate ratioOfTotals(std::span<const ViewTimes> views) {
         ratio = ratioOf(sum);
     }
     const bool once = std::ranges::all_of(views, [](const ViewTimes& view) { return pairsOf(view) <= 1; });
-    return {ratioOf(total), middle95(ratios), counted > 1 || !once};
+    // Medians of a few times are not those of their resamples: the interval then reaches to the estimate.
+    const double estimate = ratioOf(total);
+    const auto [low, high] = middle95(ratios);
+    return {estimate, {std::min(low, estimate), std::max(high, estimate)}, counted > 1 || !once};
 }
 
 RatioEstimate meanOfRatios(const std::vector<double>& ratios) {

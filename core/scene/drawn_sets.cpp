@@ -58,6 +58,7 @@ public:
         sets.path.nearDistance = lens(root, "near", sets.path.nearDistance);
         sets.path.farDistance = lens(root, "far", sets.path.farDistance);
         readProjection(root, sets.path);
+        sets.size = sizeIn(root);
         for (const Json& pose : root["poses"]) {
             m_pose = std::to_string(sets.poses.size());
             sets.poses.push_back(drawnAt(pose, sets.byObjects));
@@ -85,6 +86,18 @@ private:
         if (!root.contains("height"))
             throwInput(CULLSCOPE_TR("%1: a parallel projection needs its \"height\", in scene units."), {m_file});
         path.height = lens(root, "height", path.height);
+    }
+
+    [[nodiscard]] std::optional<Viewport> sizeIn(const Json& root) const {
+        if (!root.contains("size")) return std::nullopt;
+        const Json& size = root["size"];
+        const auto isSide = [](const Json& side) {
+            return side.is_number_unsigned() && side.get<uint64_t>() >= 1 && side.get<uint64_t>() <= kMostPixels;
+        };
+        if (!size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
+            throwInput(CULLSCOPE_TR("%1: \"size\" must be two whole numbers from 1 to %2: width and height of the picture."),
+                       {m_file, std::to_string(kMostPixels)});
+        return Viewport{size[0].get<int>(), size[1].get<int>()};
     }
 
     DrawnSets::Triangles drawnAt(const Json& pose, bool& byObjects) const {

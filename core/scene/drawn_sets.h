@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ struct DrawnSets {
     CameraPath path;               ///< the poses that the file has beside the sets; none where it has only sets
     std::vector<Triangles> poses;  ///< what is drawn at each
     bool byObjects = true;         ///< whether every pose names objects
+    std::optional<Viewport> size;  ///< of the picture that they were found for, where the file says it
 
     /// The pose whose camera is nearest to one: by place and direction of view. There must be a pose with a camera.
     [[nodiscard]] size_t nearestPose(const Camera& camera) const;

@@ -27,6 +27,12 @@ TEST_F(CullbenchContract, adviceNamesAStrategyAndWhatItCosts) {
     EXPECT_TRUE(advice["recommended"].is_string());
     EXPECT_EQ(advice["strategies"][0]["strategy"], advice["recommended"]);
     EXPECT_EQ(advice["strategies"][0]["lost_pixels"], 0);
+    EXPECT_TRUE(advice["strategies"][0]["promise"].is_string());
+    for (const json& each : advice["strategies"]) {
+        // What was not built has no promise and no structure that were known.
+        EXPECT_EQ(each["promise"].is_null(), each["structure_bytes"].is_null()) << each;
+        if (each["promise"].is_null()) EXPECT_EQ(each["views"], 0) << each;
+    }
     EXPECT_THAT(contentsOf(file("a.svg")), HasSubstr("Speed against drawing everything"));
     expectRefusal(cullbench({"advise", kSmall, "--max-missed", "2"}), 2, "--max-missed");
     expectRefusal(cullbench({"advise", kSmall, "--path", "nowhere:2"}), 2, "nowhere");

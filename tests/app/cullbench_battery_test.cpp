@@ -1,4 +1,4 @@
-// The command line's contract (docs/command-line.md) for the battery, the suite, judge and certify, and packaging/slurm.
+// The command line's contract (docs/command-line.md) for the battery, the suite, judge and certify.
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -60,6 +60,14 @@ TEST_F(CullbenchContract, suiteIsJudgedRightAndWhatIsMissingIsFound) {
     const ProcessResult right = judged(required, {"--json", file("right.json")});
     EXPECT_EQ(right.exitStatus, 0) << right.out << right.err;
     EXPECT_EQ(jsonOf(file("right.json"))["summary"]["missed_pixels"], 0);
+    // The size that the file has is that of the judgement, where no other one is asked for.
+    const ProcessResult atItsSize = cullbench({"judge", scene, "--drawn", required, "--json", file("size.json")});
+    EXPECT_EQ(atItsSize.exitStatus, 0) << atItsSize.out;
+    EXPECT_EQ(jsonOf(file("size.json"))["summary"], jsonOf(file("right.json"))["summary"]);
+    json large = jsonOf(required);
+    large["size"] = {320, 0};
+    std::ofstream(file("large.json")) << large;
+    expectRefusal(cullbench({"judge", scene, "--drawn", file("large.json")}), 3, "two whole numbers");
     // An object less at one pose.
     json less = jsonOf(required);
     for (json& pose : less["poses"]) pose.erase("triangles");
@@ -148,48 +156,6 @@ TEST_F(CullbenchContract, certifyingSaysWhereOneOfItsProcessesEnded) {
                     CULLBENCH});
     EXPECT_EQ(result.exitStatus, 4) << result.out << result.err;
     EXPECT_THAT(result.err, HasSubstr("ended by itself"));
-}
-
-/// packaging/slurm with a program in place of sbatch that runs the tasks of an array at once, one after the other, and kills one
-/// of them before it runs again, as a node's end would.
-TEST_F(CullbenchContract, slurmArrayIsMerged) {
-    std::filesystem::create_directories(file("bin"));
-    std::ofstream(file("bin/sbatch")) << R"(#!/bin/bash
-tasks=1
-for option in "$@"; do
-    case $option in
-        --array=1-*) tasks=${option#--array=1-} ;;
-        --wrap=*) wrapped=${option#--wrap=} ;;
-        --dependency=afterany:17) ;;
-        --dependency=*) exit 9 ;;
-    esac
-done
-for ((task = 1; task <= tasks; ++task)); do
-    if ((task == 2)); then
-        SLURM_ARRAY_TASK_ID=$task setsid sh -c "$wrapped" > /dev/null 2>&1 &
-        sleep 0.7
-        kill -KILL -- "-$!" 2> /dev/null
-        wait "$!" 2> /dev/null
-    fi
-    SLURM_ARRAY_TASK_ID=$task sh -c "$wrapped" > /dev/null || exit 8
-done
-echo 17
-)";
-    std::filesystem::permissions(file("bin/sbatch"), std::filesystem::perms::owner_all);
-    const std::string path = "PATH=" + file("bin") + ":" + std::getenv("PATH");
-    const ProcessResult result = runProcess(
-        {CULLSCOPE_SOURCE_DIR "/packaging/slurm", CULLBENCH, file("study"), "frustum", "600", "3", "--partition=any"}, {path});
-    EXPECT_EQ(result.exitStatus, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("merged.json"));
-    const json merged = jsonOf(file("study/merged.json"));
-    EXPECT_TRUE(merged["complete"]);
-    EXPECT_EQ(merged["views"], 600);
-    EXPECT_EQ(merged["lost_views"], 0);
-    EXPECT_THAT(cullbench({"store", file("study/results.store"), "list"}).out, HasSubstr("certificate 1"));
-    EXPECT_EQ(runProcess({CULLSCOPE_SOURCE_DIR "/packaging/slurm", CULLBENCH, file("study"), "frustum", "many", "3"}, {path})
-                  .exitStatus,
-              2);
-    EXPECT_EQ(runProcess({CULLSCOPE_SOURCE_DIR "/packaging/slurm"}, {path}).exitStatus, 2);
 }
 
 }  // namespace

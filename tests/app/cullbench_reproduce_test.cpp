@@ -55,6 +55,17 @@ TEST_F(CullbenchContract, helpOfReproduceNamesEveryExperimentThatTakesAScene) {
     EXPECT_THAT(help, HasSubstr(taking));
 }
 
+TEST_F(CullbenchContract, reportOfAFailedReproductionReplacesNoOlderOne) {
+    std::ofstream(file("old.html")) << "an older report";
+    for (const char* experiment : {"table-2", "quiz"})
+        EXPECT_EQ(cullbench({"reproduce", experiment, file("nosuch.ply"), "-o", file("old.html")}).exitStatus, 3) << experiment;
+    std::ifstream in(file("old.html"));
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "an older report");
+    const ProcessResult untimed = cullbench({"reproduce", "quiz", "--store", file("s"), "-o", file("old.html")});
+    EXPECT_EQ(untimed.exitStatus, 0) << untimed.err;
+    EXPECT_THAT(untimed.err, HasSubstr("times no frames"));
+}
+
 TEST_F(CullbenchContract, reproduceWritesTheRowsOfOneExperimentAsCsv) {
     const ProcessResult result = cullbench({"reproduce", "quiz", "--csv", "-", "--json", file("t.json")});
     ASSERT_EQ(result.exitStatus, 0) << result.err;

@@ -108,6 +108,8 @@ TEST_F(CullbenchContract, measurementsOfAStoreAreComparedWithIntervals) {
     EXPECT_THAT(within.out, testing::AllOf(HasSubstr("times the speed of A"), testing::Not(HasSubstr("one after the other"))));
     EXPECT_THAT(cullbench({"store", results, "compare", "1:frustum", "1:frustum"}).out, HasSubstr("no difference"));
     expectRefusal(cullbench({"store", results, "compare", "1", "3"}), 2, "camera paths differ");
+    ASSERT_EQ(measureInto(results, {"--windows", "4"}).exitStatus, 0);
+    expectRefusal(cullbench({"store", results, "compare", "1", "4"}), 2, "numbers of windows differ");
     expectRefusal(cullbench({"store", results, "compare", "1:all", "2"}), 2, "no run of all");
     expectRefusal(cullbench({"store", results, "compare", "one", "2"}), 2, "names no measurement");
 }
@@ -188,7 +190,34 @@ TEST_F(CullbenchContract, resultFilesAndCertificatesAreAddedToAStore) {
     ASSERT_EQ(back["runs"].size(), given["runs"].size());
     for (size_t run = 0; run < given["runs"].size(); ++run) EXPECT_EQ(back["runs"][run]["frames"], given["runs"][run]["frames"]);
     EXPECT_EQ(back["scene"], given["scene"]);
-    expectRefusal(cullbench({"store", file("results"), "add", file("results")}), 3, "no result file");
+    EXPECT_THAT(cullbench({"store", file("results"), "add", file("a.json"), file("c.json")}).out,
+                testing::AllOf(HasSubstr("measurement 2"), HasSubstr("certificate 1"), HasSubstr("already")));
+    std::ofstream(file("t.json")) << "{}";
+    expectRefusal(cullbench({"store", file("results"), "add", file("t.json")}), 3, "no result file");
+}
+
+TEST_F(CullbenchContract, resultFileNeverReplacesAStoreOrAnotherResultFile) {
+    const std::string results = file("results");
+    ASSERT_EQ(measureInto(results).exitStatus, 0);
+    for (const char* option : {"--json", "--csv"}) {
+        expectRefusal(measureInto(results, {option, results}), 2, "is a result store");
+        expectRefusal(cullbench({"store", results, "export", option, results}), 2, "is a result store");
+        expectRefusal(measureInto(file("new"), {option, file("new")}), 2, "is a result store");
+    }
+    expectRefusal(measureInto(file("new"), {"--json", file("a"), "--csv", file(".") + "/a"}), 2, "two result files");
+    EXPECT_EQ(measureInto(file("other"), {"--json", "/dev/null", "--csv", "/dev/null"}).exitStatus, 0);
+    EXPECT_EQ(ResultStore(results, kExisting).list().size(), 1u);
+}
+
+TEST_F(CullbenchContract, wrongWordsForAStoreAreNamed) {
+    const std::string results = file("results");
+    ASSERT_EQ(measureInto(results).exitStatus, 0);
+    expectRefusal(cullbench({"store", results}), 2, "list, show, compare, export or add");
+    expectRefusal(cullbench({"store", results, "frobnicate"}), 2, "\"frobnicate\"");
+    expectRefusal(cullbench({"store", results, "show", "-1"}), 2, "no number of a measurement");
+    expectRefusal(cullbench({"store", results, "show", "x"}), 2, "no number of a measurement");
+    expectRefusal(cullbench({"store", results, "list", "--since", "yesterday"}), 2, "no date");
+    EXPECT_EQ(cullbench({"store", results, "list", "--since", "2026-11", "--until", "2999"}).exitStatus, 0);
 }
 
 /// Written by the first layout, as it was kept.

@@ -33,7 +33,7 @@ TEST_F(CullbenchContract, sweepHasARowForEachValueAndForWhatIsNotVaried) {
     const json table = json::parse(contents(file("s.json")))["experiments"][0];
     EXPECT_EQ(table["experiment"], "sweep");
     EXPECT_EQ(table["scene"]["triangles"], 500);
-    ASSERT_EQ(table["rows"].size(), 3u);
+    ASSERT_EQ(table["rows"].size(), 4u);
     EXPECT_EQ(table["rows"][0]["strategy"], "spherical:band=10");
     EXPECT_EQ(table["rows"][0]["parameter"], "rows");
     EXPECT_EQ(table["rows"][1]["value"], "90");
@@ -41,10 +41,13 @@ TEST_F(CullbenchContract, sweepHasARowForEachValueAndForWhatIsNotVaried) {
     EXPECT_GE(table["rows"][1]["missed_pixels"], 0.0);
     EXPECT_EQ(table["rows"][2]["strategy"], "backface");
     EXPECT_TRUE(table["rows"][2]["parameter"].is_null());
+    EXPECT_EQ(table["rows"][3]["strategy"], "oracle") << "what any culling could gain at most stands in every table";
     const std::string csv = contents(file("s.csv"));
     EXPECT_TRUE(csv.starts_with("strategy,parameter,value,fps_overall,ratio_to_same_sides,ratio_to_same_sides_low,")) << csv;
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4) << "a header and three rows";
-    EXPECT_THAT(contents(file("s.svg")), testing::AllOf(testing::StartsWith("<svg"), HasSubstr("spherical:band=10, rows")));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5) << "a header and four rows";
+    EXPECT_THAT(contents(file("s.svg")),
+                testing::AllOf(testing::StartsWith("<svg"), HasSubstr("spherical:band=10, rows"), HasSubstr("oracle")));
+    EXPECT_THAT(sweep({"-s", "spherical", "--no-limit", "--json", "-"}).out, testing::Not(HasSubstr("\"oracle\"")));
 }
 
 TEST_F(CullbenchContract, everyStrategyThatHasTheParameterIsVaried) {

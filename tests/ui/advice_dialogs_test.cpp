@@ -127,6 +127,7 @@ TEST(RaceTable, eachStrategyStandsAgainstEach) {
     EXPECT_EQ(tables[0]->rowCount(), 3);
     EXPECT_EQ(tables[0]->item(0, 0), nullptr);
     EXPECT_TRUE(tables[0]->item(2, 0)->text().startsWith(QStringLiteral("2.50"))) << tables[0]->item(2, 0)->text().toStdString();
+    EXPECT_TRUE(tables[0]->item(2, 0)->text().contains(QStringLiteral(" ms"))) << "and what it saves";
     EXPECT_TRUE(tables[0]->item(2, 0)->font().bold());
     EXPECT_FALSE(tables[0]->item(0, 2)->font().bold()) << "slower";
 }

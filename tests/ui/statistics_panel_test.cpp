@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QComboBox>
 #include <QFile>
 #include <QLocale>
 #include <QSignalSpy>
@@ -57,6 +58,22 @@ protected:
     std::vector<std::string> failures;
     QStringList files;
 };
+
+TEST_F(Panel, axesOfThePlotAreNamedFromTheStartAndEachCanBeChosen) {
+    showResult();
+    size_t axes = 0;
+    for (QComboBox* box : panel.findChildren<QComboBox*>()) {
+        if (!box->accessibleName().startsWith(QStringLiteral("Figure "))) continue;
+        ++axes;
+        EXPECT_FALSE(box->currentText().isEmpty()) << box->accessibleName().toStdString();
+        for (int i = 0; i < box->count(); ++i) {
+            EXPECT_FALSE(box->itemData(i).toString().isEmpty()) << box->itemText(i).toStdString() << " is a figure of files";
+            box->setCurrentIndex(i);
+            emit box->activated(i);
+        }
+    }
+    EXPECT_EQ(axes, 2u);
+}
 
 TEST_F(Panel, startAsksForTheChosenExperiment) {
     std::vector<ExperimentSettings> asked;

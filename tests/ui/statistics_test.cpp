@@ -52,6 +52,46 @@ TEST(ResultTable, timesOfAViewAreTheSameFactorInHeaderTooltipAndTable) {
     EXPECT_EQ(speedWithInterval({3.14, {2.9, 3.3}}), QStringLiteral("×3.1 (2.90 – 3.30)"));
 }
 
+TEST(ResultTable, viewsHaveTheirShareOfTheHeadroomWhereOneOfThemShowsTheLimit) {
+    const auto live = [](const char* strategy, double milliseconds, double baseline) {
+        LiveFigures view{QStringLiteral("A"), test::request(strategy), Promise::Conservative, {}};
+        view.figures.state = ViewMetrics::State::Ready;
+        view.figures.frameMilliseconds = milliseconds;
+        view.figures.speedup = RatioEstimate{baseline / milliseconds, {}, false};
+        return view;
+    };
+    const std::vector<ResultRow> rows =
+        liveRows({live("all", 20.0, 20.0), live("frustum", 15.0, 20.0), live("oracle", 10.0, 20.0)});
+    for (const auto& [row, share] : {std::pair(0, 0.0), std::pair(1, 0.5), std::pair(2, 1.0)}) {
+        ASSERT_TRUE(rows[size_t(row)].headroomShare) << row;
+        EXPECT_NEAR(rows[size_t(row)].headroomShare->ratio, share, 1e-9) << row;
+    }
+    EXPECT_FALSE(liveRows({live("all", 20.0, 20.0), live("frustum", 15.0, 20.0)})[1].headroomShare);
+}
+
+TEST(ResultTable, limitStandsInTableAndPlotsBesideTheStrategies) {
+    MeasureResult result = madeUpResult();
+    result.limit = run("oracle", 1.0, {0, 0});
+    for (FrameMeasurement& frame : result.limit->frames) frame.accuracy.reset();
+    const size_t strategies = madeUpResult().runs.size();
+    ASSERT_EQ(resultRows(result).size(), strategies + 1);
+    EXPECT_EQ(resultRows(result).back().id, QStringLiteral("oracle"));
+    const std::vector<RunFigures> figures = runFigures(result);
+    ASSERT_EQ(figures.size(), strategies + 1);
+    EXPECT_TRUE(figures.back().limit);
+    EXPECT_EQ(figures.back().missedPpm, 0.0) << "it draws what is visible";
+}
+
+TEST(ResultTable, rateOfNothingLostSaysInHowManyViews) {
+    ResultRow row;
+    row.missedPpm = 0.0;
+    EXPECT_EQ(ResultTableModel::value(row, ResultTableModel::MissedPpm), QStringLiteral("0")) << "at the present camera";
+    row.views = 16;
+    EXPECT_EQ(ResultTableModel::value(row, ResultTableModel::MissedPpm), QStringLiteral("0 (< 3/16)"));
+    row.missedPpm = 4.3;
+    EXPECT_EQ(ResultTableModel::value(row, ResultTableModel::MissedPpm), QStringLiteral("4.3"));
+}
+
 TEST(ResultTable, rowsSayWhatWasMeasured) {
     ResultTableModel model;
     const QAbstractItemModelTester tester(&model, kFatal);

@@ -19,11 +19,12 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr QSize kAdviseSize{1240, 760};
+constexpr QSize kAdviseSize{1256, 760};
+constexpr int kRowHeight = 22;
 constexpr QSize kAdvisePlotSize{960, 480};
 constexpr double kPerMillion = 1e6;
 constexpr double kAnswerLetters = 1.25;  // of the usual size
-enum AdviceColumn { Name, PromiseOf, Speed, Frame, Missed, Build, Bytes, PaidBack, Came, AdviceColumns };
+enum AdviceColumn { Name, PromiseOf, Speed, Headroom, Frame, Missed, Build, Bytes, PaidBack, Came, AdviceColumns };
 
 /// As the plot shows it.
 RunFigures figuresOf(const advice::AdvisedStrategy& strategy) {
@@ -63,12 +64,13 @@ std::array<QString, AdviceColumns> cellsOf(const advice::AdvisedStrategy& strate
     const QString none = QStringLiteral("–");
     const bool timed = strategy.views > 0;
     return {runLabel(strategy.strategy),
-            promiseWord(strategy.promise),
+            strategy.built ? promiseWord(strategy.promise) : none,
             strategy.ratioToAll ? speedWithInterval(*strategy.ratioToAll) : none,
+            strategy.headroomShare ? percentText(strategy.headroomShare->ratio) + QStringLiteral(" %") : none,
             timed ? millisecondsText(strategy.frameMilliseconds) : none,
             missedWords(strategy),
-            timed ? millisecondsText(strategy.structure.buildMilliseconds) : none,
-            timed ? bytesText(strategy.structure.bytes) : none,
+            strategy.built ? millisecondsText(strategy.structure.buildMilliseconds) : none,
+            strategy.built ? bytesText(strategy.structure.bytes) : none,
             strategy.paybackFrames ? countText(uint64_t(std::ceil(*strategy.paybackFrames))) : none,
             translated(advice::standingWords(strategy))};
 }
@@ -148,9 +150,10 @@ void AdviseDialog::setUpTop(QLayout& layout) {
 
 void AdviseDialog::setUpTable() {
     m_table->setColumnCount(AdviceColumns);
-    m_table->setHorizontalHeaderLabels({tr("Strategy"), tr("Promise"), tr("× drawing everything"), tr("Frame"),
-                                        tr("Missed per million"), tr("Build time"), tr("Structure"),
-                                        tr("Paid back after, frames"), tr("How it came out")});
+    m_table->setHorizontalHeaderLabels({tr("Strategy"), tr("Promise"), tr("× everything"), tr("Headroom"), tr("Frame"),
+                                        tr("Missed per million"), tr("Build time"), tr("Structure"), tr("Paid back, frames"),
+                                        tr("How it came out")});
+    m_table->horizontalHeaderItem(Headroom)->setToolTip(tr("Share of the time saved that any culling could save"));
     m_table->setAccessibleName(tr("Strategies by their speed"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -158,6 +161,7 @@ void AdviseDialog::setUpTable() {
     m_table->setAlternatingRowColors(true);
     m_table->setTabKeyNavigation(false);
     m_table->verticalHeader()->setVisible(false);
+    m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &AdviseDialog::showState);

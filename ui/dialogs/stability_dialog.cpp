@@ -71,8 +71,7 @@ void StabilityDialog::fill() {
         item->setText(kCaseColumn, QStringLiteral("%1  %2").arg(which.number).arg(translated(which.title)));
         item->setText(kRightColumn, translated(which.expected));
         item->setData(kCaseColumn, Qt::UserRole, QString::fromStdString(which.id));
-        const QString scene = which.scene.empty() ? tr("This case has no scene.")
-                                                  : tr("Double click: open %1").arg(QString::fromStdString(which.scene));
+        const QString scene = tr("Double click: open %1").arg(QString::fromStdString(which.scene));
         item->setToolTip(kCaseColumn, item->text(kCaseColumn) + QLatin1Char('\n') + scene);
         item->setToolTip(kRightColumn, item->text(kRightColumn));
     }
@@ -97,7 +96,7 @@ void StabilityDialog::openSceneOf(const QTreeWidgetItem& item) {
     const QTreeWidgetItem& top = item.parent() != nullptr ? *item.parent() : item;
     const stability::StabilityCase& which =
         *stability::casesNamed(top.data(kCaseColumn, Qt::UserRole).toString().toStdString()).front();
-    if (!which.scene.empty()) emit sceneWanted(QString::fromStdString(which.scene));
+    emit sceneWanted(QString::fromStdString(which.scene));
 }
 
 void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& cases) {

@@ -69,7 +69,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
         if (!measured || !measured->speedup) return QStringLiteral("–");
         const QString speed = QStringLiteral("×%1").arg(QLocale().toString(measured->speedup->ratio, 'f', 2));
         return measured->missedPpm ? tr("%1 · %2 ppm missed", "a ratio of times, missed pixels of a million")
-                                         .arg(speed, significantText(*measured->missedPpm))
+                                         .arg(speed, ResultTableModel::value(*measured, ResultTableModel::MissedPpm))
                                    : speed;
     }
     if (role == Qt::ToolTipRole && measured) return ResultTableModel::value(*measured, ResultTableModel::Speedup);

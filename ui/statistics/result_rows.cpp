@@ -1,10 +1,13 @@
 #include "ui/statistics/result_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "core/experiments/sweeps.h"
 #include "core/measure/field_figures.h"
+#include "core/measure/statistics.h"
+#include "core/visibility/registry.h"
 #include "ui/text/terms.h"
 #include "ui/text/wording.h"
 
@@ -84,6 +87,7 @@ ResultRow resultRow(const SweepRow& measured, const StrategyRequest& strategy) {
     if (const std::optional<double> culled = measured.number("culled_fraction")) row.submittedShare = 1.0 - *culled;
     countLoss(row, measured.count("missed_pixels"), measured.count("missed_beyond_snapping"),
               measured.number("missed_pixel_rate"));
+    row.views = size_t(measured.number("poses").value_or(0.0));
     if (row.missedPixels != uint64_t{0}) row.worstPose = measured.count("worst_pose");
     for (const FieldFigure& figure : fieldFigures())
         if (const std::optional<RatioEstimate> value = measured.estimate(figure.key)) row.figures[figure.key] = *value;
@@ -101,6 +105,24 @@ std::map<std::string, RatioEstimate> figuresOf(const ViewFigures& view) {
                             "object_false_positive_rate", "silhouette_error_px"})
         if (const std::optional<RatioEstimate>& value = estimates[fieldFigurePlace(key)]) figures[key] = *value;
     return figures;
+}
+
+bool isTimed(const LiveFigures& view) {
+    return view.figures.state == ViewMetrics::State::Ready && view.figures.frameMilliseconds > 0.0 &&
+           view.figures.speedup.has_value();
+}
+
+/// Where one of the views shows the limit of culling, how much of what it saves each other one saves.
+void addHeadroom(std::vector<ResultRow>& rows, const std::vector<LiveFigures>& views) {
+    const auto limit = std::ranges::find_if(
+        views, [](const LiveFigures& view) { return isTimed(view) && findStrategy(view.strategy.id).info.limit; });
+    if (limit == views.end()) return;
+    const auto baselineOf = [](const ViewMetrics& figures) { return figures.frameMilliseconds * figures.speedup->ratio; };
+    for (size_t i = 0; i < rows.size(); ++i)
+        if (isTimed(views[i]))
+            rows[i].headroomShare =
+                shareOfHeadroom(std::array{TimesBesideLimit{baselineOf(views[i].figures), views[i].figures.frameMilliseconds,
+                                                            baselineOf(limit->figures), limit->figures.frameMilliseconds}});
 }
 
 }  // namespace
@@ -145,6 +167,7 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         }
         rows.push_back(std::move(row));
     }
+    addHeadroom(rows, views);
     return rows;
 }
 

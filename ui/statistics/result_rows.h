@@ -35,6 +35,7 @@ struct ResultRow {
     std::optional<uint64_t> missedPixels;          ///< that are lost: without those that the raster's snapping explains
     std::optional<uint64_t> withinSnapping;        ///< those; none: it cannot explain any
     std::optional<double> missedPpm;               ///< of the lost ones
+    size_t views = 0;                              ///< measured; 0: at the present camera
     std::optional<size_t> worstPose;               ///< pose with the most missed pixels; none if no pixel is lost
     std::map<std::string, RatioEstimate> figures;  ///< the field's (fieldFigures), by key; what was not measured is missing
 };

@@ -181,6 +181,12 @@ QString ResultTableModel::rowExplanation(const ResultRow& row, int column) {
     return explanation(column);
 }
 
+QString ResultTableModel::missedRateText(const ResultRow& row) {
+    if (!row.missedPpm) return {};
+    if (*row.missedPpm > 0.0 || row.views == 0) return significantText(*row.missedPpm);
+    return translated(Message{CULLSCOPE_TR("0 (< 3/%1)"), {std::to_string(row.views)}});
+}
+
 QString ResultTableModel::value(const ResultRow& row, int column) {
     switch (column) {
         case Name:
@@ -204,7 +210,7 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
         case Snapped:
             return row.withinSnapping ? countText(*row.withinSnapping) : QString();
         case MissedPpm:
-            return row.missedPpm ? significantText(*row.missedPpm) : QString();
+            return missedRateText(row);
         case Worst:
             return row.worstPose ? QString::number(*row.worstPose) : QString();
         default:

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] static QString value(const ResultRow& row, int column);
 
 private:
+    /// Missed pixels of a million; of n views that lost nothing "0 (< 3/n)".
+    [[nodiscard]] static QString missedRateText(const ResultRow& row);
     [[nodiscard]] static QString explanation(int column);
     [[nodiscard]] static QString rowExplanation(const ResultRow& row, int column);
 

@@ -42,8 +42,8 @@ QString runLabel(const StrategyRequest& strategy) { return QString::fromStdStrin
 
 std::vector<RunFigures> runFigures(const MeasureResult& result) {
     std::vector<RunFigures> all;
-    for (const RunMeasurement& run : result.runs) {
-        if (run.frames.empty()) continue;
+    const auto add = [&](const RunMeasurement& run) {
+        if (run.frames.empty()) return;
         RunFigures figures;
         figures.label = runLabel(run.strategy);
         figures.id = QString::fromStdString(run.strategy.id);
@@ -59,10 +59,15 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         if (const std::optional<Losses> losses = run.losses())
             figures.missedPpm =
                 ppmOf(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels, losses->coveredPixels);
+        // The limit is timed and not judged: it draws what is visible.
+        if (figures.limit && !figures.missedPpm) figures.missedPpm = 0.0;
         figures.values = tradeValues(rowCells({}, run));
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, run, result));
         all.push_back(std::move(figures));
-    }
+    };
+    for (const RunMeasurement& run : result.runs) add(run);
+    const auto isLimit = [&](const RunMeasurement& run) { return run.strategy == result.limit->strategy; };
+    if (result.limit && std::ranges::none_of(result.runs, isLimit)) add(*result.limit);
     return all;
 }
 

@@ -48,6 +48,7 @@ StatisticsPanel::StatisticsPanel(QWidget* parent)
       m_tableEmpty(new QLabel(this)),
       m_model(new ResultTableModel(this)),
       m_race(new QTableWidget(this)),
+      m_raceWords(new QLabel(this)),
       m_historyPage(new QStackedWidget(this)),
       m_historyEmpty(new QLabel(this)),
       m_history(new HistoryModel(this)),

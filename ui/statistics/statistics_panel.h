@@ -100,6 +100,8 @@ private:
     void setUpPlots();
     void setUpAxes();
     void retranslateAxes();
+    /// Makes their lists as wide as what is chosen.
+    void fitAxes();
     void setUpRace();
     void setUpHistory();
     void setUpMenu();
@@ -140,6 +142,7 @@ private:
     QLabel* m_tableEmpty;
     ResultTableModel* m_model;
     QTableWidget* m_race;           ///< each strategy of the experiment against each
+    QLabel* m_raceWords;            ///< how its cells are read
     QStackedWidget* m_historyPage;  ///< the experiments beside each other, or a hint while there are none
     QLabel* m_historyEmpty;
     HistoryModel* m_history;

@@ -1,5 +1,10 @@
 // The axes of the plot of two figures, and the table of each strategy against each.
 #include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "core/experiments/pairwise.h"
 #include "ui/statistics/pareto_plot.h"
@@ -10,8 +15,20 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kRaceRowHeight = 22;
-constexpr int kAxisLetters = 16;
+constexpr int kRaceRowHeight = 38;
+constexpr int kRaceMargin = 6;
+
+/// "−0.52 ms [−0.60, −0.44]": what the first of a pair takes more or less than the second.
+QString savedText(const PairOfRuns& pair) {
+    const auto number = [](double value) {
+        const QString text = QLocale().toString(std::abs(value), 'f', 2);
+        return value > 0.0 ? QStringLiteral("−") + text : value < 0.0 ? QStringLiteral("+") + text : text;
+    };
+    const RatioEstimate& saved = pair.difference;
+    QString text = StatisticsPanel::tr("%1 ms").arg(number(saved.ratio));
+    if (saved.hasInterval) text += QStringLiteral(" [%1, %2]").arg(number(saved.ci95[1]), number(saved.ci95[0]));
+    return text;
+}
 
 QString pairTip(const PairOfRuns& pair, const QString& one, const QString& other) {
     const auto number = [](double value) { return QString::number(value, 'f', 2); };
@@ -31,12 +48,13 @@ QString pairTip(const PairOfRuns& pair, const QString& one, const QString& other
 
 void StatisticsPanel::setUpAxes() {
     for (QComboBox* box : {m_across, m_up}) {
-        // The longest titles are in the list; the row has no room for them.
+        // The longest titles are in the list: the row has room for what is chosen alone.
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        box->setMinimumContentsLength(kAxisLetters);
-        for (const TradeFigure& figure : tradeFigures()) box->addItem({}, QString::fromStdString(figure.key));
+        // With {} in place of QString() the key would be the text of an item with an icon, and no item would have it as its data.
+        for (const TradeFigure& figure : tradeFigures()) box->addItem(QString(), QString::fromStdString(figure.key));
         connect(box, &QComboBox::activated, this, [this] {
             m_pareto->setAxes(tradeFigures()[size_t(m_across->currentIndex())], tradeFigures()[size_t(m_up->currentIndex())]);
+            fitAxes();
             refreshControls();
         });
     }
@@ -53,9 +71,21 @@ void StatisticsPanel::retranslateAxes() {
         for (int i = 0; i < box->count(); ++i) {
             const TradeFigure& figure = tradeFigures()[size_t(i)];
             //: An axis of a plot and its figure.
-            box->setItemText(i, (box == m_across ? tr("→ %1") : tr("↑ %1")).arg(translated(figure.title)));
-            if (!figure.meaning.empty()) box->setItemData(i, translated(figure.meaning), Qt::ToolTipRole);
+            const std::string& name = figure.brief.empty() ? figure.title : figure.brief;
+            box->setItemText(i, (box == m_across ? tr("→ %1") : tr("↑ %1")).arg(translated(name)));
+            const std::string& tip = figure.meaning.empty() && !figure.brief.empty() ? figure.title : figure.meaning;
+            if (!tip.empty()) box->setItemData(i, translated(tip), Qt::ToolTipRole);
         }
+    }
+    fitAxes();
+}
+
+void StatisticsPanel::fitAxes() {
+    for (QComboBox* box : {m_across, m_up}) {
+        // The length that a box asks for is in letters as wide as X.
+        const QFontMetrics metrics(box->font());
+        const int letter = std::max(1, metrics.horizontalAdvance(QLatin1Char('X')));
+        box->setMinimumContentsLength(1 + (metrics.horizontalAdvance(box->currentText()) + letter - 1) / letter);
     }
 }
 
@@ -68,7 +98,15 @@ void StatisticsPanel::setUpRace() {
     m_race->horizontalHeader()->setSectionsClickable(false);
     m_race->verticalHeader()->setSectionsClickable(false);
     m_race->verticalHeader()->setDefaultSectionSize(kRaceRowHeight);
-    m_pages->addWidget(m_race);
+    m_raceWords->setWordWrap(true);
+    m_raceWords->setContentsMargins(kRaceMargin, kRaceMargin, kRaceMargin, kRaceMargin);
+    auto* const page = new QWidget(this);
+    auto* const layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_raceWords);
+    layout->addWidget(m_race, 1);
+    m_pages->addWidget(page);
 }
 
 void StatisticsPanel::refreshRace() {
@@ -78,6 +116,11 @@ void StatisticsPanel::refreshRace() {
         for (const RunMeasurement& run : m_result->runs)
             if (raced.runs.size() < kMostRaced && !run.frames.empty()) raced.runs.push_back(run);
     const int count = int(raced.runs.size());
+    m_race->setVisible(count > 0);
+    m_raceWords->setText(count > 0 ? tr("How many times as fast as the column's strategy the row's is, and how many milliseconds "
+                                        "a view it takes less (−) or more (+), "
+                                        "each with its 95 % interval. Bold: faster for certain; ≈: not decided.")
+                                   : tr("Each strategy is held against each other one as soon as an experiment has ended."));
     QStringList names;
     for (const RunMeasurement& run : raced.runs) names << runLabel(run.strategy);
     m_race->clear();
@@ -86,7 +129,7 @@ void StatisticsPanel::refreshRace() {
     m_race->setHorizontalHeaderLabels(names);
     m_race->setVerticalHeaderLabels(names);
     for (const PairOfRuns& pair : pairsOf(raced)) {
-        auto* cell = new QTableWidgetItem(QString::fromStdString(pairText(pair)));
+        auto* cell = new QTableWidgetItem(QString::fromStdString(pairText(pair)) + QLatin1Char('\n') + savedText(pair));
         cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         cell->setToolTip(pairTip(pair, names[qsizetype(pair.one)], names[qsizetype(pair.other)]));
         QFont letters = cell->font();

@@ -87,17 +87,18 @@ Json strategyJson(const AdvisedStrategy& strategy) {
     return {{"strategy", strategyText(strategy.strategy)},
             {"standing", strategy.limit ? "limit" : standingId(strategy.standing)},
             {"why", strategy.why.empty() ? Json(nullptr) : Json(strategy.why.english())},
-            {"promise", promiseId(strategy.promise)},
+            {"promise", strategy.built ? Json(promiseId(strategy.promise)) : Json(nullptr)},
             {"views", strategy.views},
             {"frame_ms", strategy.views > 0 ? Json(strategy.frameMilliseconds) : Json(nullptr)},
             {"ratio_to_all", strategy.ratioToAll ? Json(strategy.ratioToAll->ratio) : Json(nullptr)},
             {"ratio_to_all_ci95", interval ? Json(strategy.ratioToAll->ci95) : Json(nullptr)},
+            {"headroom_share", strategy.headroomShare ? Json(strategy.headroomShare->ratio) : Json(nullptr)},
             {"judged_views", strategy.judgedViews},
             {"views_with_loss", strategy.viewsWithLoss},
             {"lost_pixels", strategy.lostPixels},
             {"lost_pixel_rate", orNull(strategy.missedRate())},
-            {"build_ms", strategy.structure.buildMilliseconds},
-            {"structure_bytes", strategy.structure.bytes},
+            {"build_ms", strategy.built ? Json(strategy.structure.buildMilliseconds) : Json(nullptr)},
+            {"structure_bytes", strategy.built ? Json(strategy.structure.bytes) : Json(nullptr)},
             {"payback_frames", orNull(strategy.paybackFrames)}};
 }
 
@@ -142,13 +143,16 @@ std::string adviceText(const Advice& advice) {
                         terminalLine(advice.request.path.name), advice.request.size.width, advice.request.size.height,
                         advice.frames, advice.seconds);
     text += advice.gl.renderer + (advice.gl.software ? " (software OpenGL: times are not a GPU's)\n" : "\n");
-    text += fmt::format("{:<44} {:<12} {:>6} {:>9} {:>19} {:>14} {:>10} {:>12} {:>9}  {}\n", "strategy", "promise", "views", "ms",
-                        "x all [95 %]", "missed ppm", "build ms", "bytes", "paid back", "");
+    text += fmt::format("{:<44} {:<12} {:>6} {:>9} {:>19} {:>9} {:>14} {:>10} {:>12} {:>9}  {}\n", "strategy", "promise", "views",
+                        "ms", "x all [95 %]", "headroom", "missed ppm", "build ms", "bytes", "paid back", "");
     for (const AdvisedStrategy& strategy : advice.strategies)
-        text += fmt::format("{:<44} {:<12} {:>6} {:>9} {:>19} {:>14} {:>10} {:>12} {:>9}  {}\n",
-                            terminalLine(strategyLabel(strategy.strategy)), promiseId(strategy.promise), strategy.views,
-                            strategy.views > 0 ? decimal(strategy.frameMilliseconds, 2) : "-", ratioWords(strategy.ratioToAll),
-                            lossWords(strategy), decimal(strategy.structure.buildMilliseconds, 1), strategy.structure.bytes,
+        text += fmt::format("{:<44} {:<12} {:>6} {:>9} {:>19} {:>9} {:>14} {:>10} {:>12} {:>9}  {}\n",
+                            terminalLine(strategyLabel(strategy.strategy)), strategy.built ? promiseId(strategy.promise) : "-",
+                            strategy.views, strategy.views > 0 ? decimal(strategy.frameMilliseconds, 2) : "-",
+                            ratioWords(strategy.ratioToAll),
+                            strategy.headroomShare ? percentText(strategy.headroomShare->ratio) + " %" : "-", lossWords(strategy),
+                            strategy.built ? decimal(strategy.structure.buildMilliseconds, 1) : "-",
+                            strategy.built ? std::to_string(strategy.structure.bytes) : "-",
                             strategy.paybackFrames ? decimal(std::ceil(*strategy.paybackFrames), 0) : "-",
                             terminalLine(standingWords(strategy).english()));
     return text;

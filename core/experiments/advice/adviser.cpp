@@ -129,6 +129,7 @@ private:
                           {CULLSCOPE_TR("building its structure takes longer than %1 s"), {fmt::format("{:.2g}", seconds)}});
         }
         entrant.figures.structure = entrant.built->report();
+        entrant.figures.built = true;
         entrant.figures.promise = entrant.built->promise();
         for (size_t pose = 0; pose < m_race.poses(); ++pose)
             if (entrant.built->promiseAt(m_race.viewOf(pose)) == Promise::Approximate)
@@ -296,7 +297,7 @@ private:
             const auto cost = [](const Entrant& one) { return one.figures.structure.bytes; };
             if (cost(entrant) < cost(*choice)) choice = &entrant;
         }
-        if (choice != nullptr) return choice;
+        if (choice != nullptr) return everythingWhereAsFast(m_entrants, choice);
         // Those in the race were all found to lose: the fastest of those that left it.
         for (Entrant& entrant : m_entrants)
             if (entrant.eligible && entrant.figures.standing == Standing::Behind &&
@@ -313,10 +314,10 @@ private:
             leave(*choice, Standing::Loses);
             choice = chosen();
         }
-        for (Entrant& entrant : m_entrants) setTimes(entrant, m_entrants.front());
+        setTimes(m_entrants);
         for (const Entrant& entrant : m_entrants)
             if (entrant.figures.limit && entrant.figures.ratioToAll) advice.limitRatio = entrant.figures.ratioToAll->ratio;
-        if (choice != nullptr) advice.headroomShare = headroomOf(*choice, m_entrants);
+        if (choice != nullptr) advice.headroomShare = choice->figures.headroomShare;
         fill(advice, choice);
     }
 

@@ -36,14 +36,17 @@ struct AdvisedStrategy {
     bool everything = false;                 ///< a baseline: it leaves out nothing
     bool limit = false;                      ///< what any culling could gain at most
     Standing standing = Standing::Refused;
-    Message why{};  ///< for Standing::Refused
+    Message why{};       ///< for Standing::Refused
+    bool built = false;  ///< its promise and its structure are known
     StructureReport structure{};
-    size_t views = 0;                            ///< timed
-    double frameMilliseconds = 0.0;              ///< mean over these views
-    std::optional<RatioEstimate> ratioToAll{};   ///< over drawing everything, both sides
-    size_t judgedViews = 0, viewsWithLoss = 0;   ///< of the judged ones
-    uint64_t coveredPixels = 0, lostPixels = 0;  ///< likewise
-    std::optional<double> paybackFrames{};       ///< after which the structure's build time is saved; none: nothing is saved
+    size_t views = 0;                              ///< timed
+    double frameMilliseconds = 0.0;                ///< mean over these views
+    std::optional<RatioEstimate> ratioToAll{};     ///< over drawing everything, both sides
+    std::optional<RatioEstimate> headroomShare{};  ///< shareOfHeadroom, of the views at which both were timed
+    size_t judgedViews = 0, viewsWithLoss = 0;     ///< of the judged ones
+    uint64_t coveredPixels = 0, lostPixels = 0;    ///< likewise
+    std::optional<double>
+        paybackFrames{};  ///< after which the structure's build time is saved; none: it has none, or nothing is saved
 
     [[nodiscard]] std::optional<double> missedRate() const {
         if (judgedViews == 0 || coveredPixels == 0) return std::nullopt;

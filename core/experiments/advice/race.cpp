@@ -108,6 +108,8 @@ std::vector<const Entrant*> ranked(const std::vector<Entrant>& entrants, const E
     return order;
 }
 
+namespace {
+
 void setTimes(Entrant& entrant, const Entrant& everything) {
     const bool raced = sumOf(entrant.times) > 0.0;
     const std::vector<std::vector<double>>& times = raced ? entrant.times : entrant.probes;
@@ -118,7 +120,27 @@ void setTimes(Entrant& entrant, const Entrant& everything) {
     figures.frameMilliseconds = sumOf(times) / double(figures.views);
     figures.ratioToAll = ratioBetween(all, times);
     const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
-    if (saved > 0.0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
+    if (saved > 0.0 && figures.structure.bytes > 0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
+}
+
+}  // namespace
+
+void setTimes(std::vector<Entrant>& entrants) {
+    for (Entrant& entrant : entrants) {
+        setTimes(entrant, entrants.front());
+        if (!entrant.figures.limit) entrant.figures.headroomShare = headroomOf(entrant, entrants);
+    }
+}
+
+Entrant* everythingWhereAsFast(std::vector<Entrant>& entrants, Entrant* choice) {
+    Entrant* everything = nullptr;
+    for (Entrant& entrant : entrants) {
+        if (!entrant.figures.everything || !entrant.racing || !entrant.eligible || sumOf(entrant.times) <= 0.0) continue;
+        const RatioEstimate ratio = ratioBetween(entrant.times, choice->times);
+        if (ratio.hasInterval && ratio.ci95[0] > 1.0) continue;
+        if (everything == nullptr || sumOf(entrant.times) < sumOf(everything->times)) everything = &entrant;
+    }
+    return everything != nullptr ? everything : choice;
 }
 
 std::vector<StrategyRequest> candidates() {

@@ -69,9 +69,13 @@ private:
 /// The sum over the views of the medians, milliseconds.
 [[nodiscard]] double sumOf(const std::vector<std::vector<double>>& times);
 
-/// Fills in what an entrant's times say, beside those of drawing everything: of the race, or of the first views where it left
-/// after them.
-void setTimes(Entrant& entrant, const Entrant& everything);
+/// Fills in what each entrant's times say, beside those of the first one, which draws everything: of the race, or of the first
+/// views where it left after them.
+void setTimes(std::vector<Entrant>& entrants);
+
+/// Where the interval of a choice does not exclude that drawing everything is as fast, that, the fastest of it; else the choice.
+/// Nothing is built or decided for a gain that may be none.
+[[nodiscard]] Entrant* everythingWhereAsFast(std::vector<Entrant>& entrants, Entrant* choice);
 
 /// The share of what any culling could save of drawing everything, by the first entrant and the limit among them.
 [[nodiscard]] std::optional<RatioEstimate> headroomOf(const Entrant& choice, const std::vector<Entrant>& entrants);

@@ -92,7 +92,9 @@ Certificate certificateOf(const Json& root, const std::filesystem::path& file) {
     certificate.coveredPixels = root.at("covered_pixels").get<uint64_t>();
     if (certificate.blocks < 1 || certificate.blocks > kMostBlocks || certificate.shard < 1 ||
         certificate.shard > certificate.shards)
-        throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+        throwInput(
+            CULLSCOPE_TR("%1 is no state of cullbench certify that can be read. Name another file, or remove it and begin anew."),
+            {file.string()});
     certificate.done.assign(certificate.blocks, false);
     uint64_t next = 0;
     for (const Json& range : root.at("blocks_done")) {
@@ -100,7 +102,10 @@ Certificate certificateOf(const Json& root, const std::filesystem::path& file) {
         const auto last = range.at(1).get<uint64_t>();
         // They are written in order; a file in which they overlap would be read for hours.
         if (first < next || last < first || last >= certificate.blocks)
-            throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+            throwInput(
+                CULLSCOPE_TR(
+                    "%1 is no state of cullbench certify that can be read. Name another file, or remove it and begin anew."),
+                {file.string()});
         std::fill(certificate.done.begin() + int64_t(first), certificate.done.begin() + int64_t(last) + 1, true);
         next = last + 1;
     }
@@ -182,7 +187,9 @@ std::vector<Certificate> readCertificates(const std::filesystem::path& file) {
     } catch (const Json::exception&) {
         // Said below.
     }
-    throwInput(CULLSCOPE_TR("%1 is no state of cullbench certify that can be read."), {file.string()});
+    throwInput(
+        CULLSCOPE_TR("%1 is no state of cullbench certify that can be read. Name another file, or remove it and begin anew."),
+        {file.string()});
 }
 
 std::vector<Certificate> merged(const std::vector<Certificate>& certificates) {

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "core/base/error.h"
+#include "core/experiments/result_fields.h"
 
 namespace cullscope::store {
 namespace {
@@ -30,6 +31,17 @@ void requireSameViews(const Listed& a, const Listed& b) {
     if (a.size.width != b.size.width || a.size.height != b.size.height) differ(CULLSCOPE_TR("picture sizes"));
 }
 
+/// Frames in several windows, or with vertices that are sent anew each time, are other frames.
+void requireSameDrawing(const Stored& a, const StoredRun& ofA, const Stored& b, const StoredRun& ofB) {
+    const ResultFields one = ResultFields::parse(ofA.head), other = ResultFields::parse(ofB.head);
+    for (const auto& [field, what] : {std::pair("windows", CULLSCOPE_TR("numbers of windows")),
+                                      std::pair("window_views", CULLSCOPE_TR("views of the windows")),
+                                      std::pair("upload", CULLSCOPE_TR("ways of uploading vertices"))})
+        if (one.value(field, ResultFields()) != other.value(field, ResultFields()))
+            throwUsage(CULLSCOPE_TR("Measurements %1 and %2 cannot be compared: their %3 differ."),
+                       {std::to_string(a.listed.number), std::to_string(b.listed.number), what});
+}
+
 const StoredRun& runOf(const Stored& stored, const std::string& strategy) {
     const StoredRun* const run = stored.find(strategy);
     if (run == nullptr) {
@@ -42,6 +54,7 @@ const StoredRun& runOf(const Stored& stored, const std::string& strategy) {
 }
 
 Compared compare(const Stored& a, const StoredRun& ofA, const Stored& b, const StoredRun& ofB) {
+    requireSameDrawing(a, ofA, b, ofB);
     Compared result;
     result.a = ofA.strategy;
     result.b = ofB.strategy;

@@ -54,7 +54,7 @@ void Database::useWriteAheadLog() const {
 int64_t Database::newestRow() const { return sqlite3_last_insert_rowid(m_handle.get()); }
 
 void Database::refuse() const {
-    throwInput(CULLSCOPE_TR("%1 is no result store, or is damaged: name another file with --store."), {m_file.string()});
+    throwInput(CULLSCOPE_TR("%1 is no result store, or is damaged. Name another file."), {m_file.string()});
 }
 
 void Database::fail(int answer) const {

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/experiments/result_fields.h"
 #include "core/experiments/store/judged_frames.h"
+#include "core/experiments/store/rows.h"
 #include "core/experiments/store/schema.h"
 
 namespace cullscope::store {
@@ -16,60 +17,6 @@ namespace {
 int64_t numberIn(const Database& database, const char* pragma) {
     Statement statement(database, pragma);
     return statement.next() ? statement.number(0) : 0;
-}
-
-int64_t addMeasurement(const Database& database, const Listed& listed) {
-    Statement insert(database,
-                     "INSERT INTO measurement (started, ended, interrupted, experiment, command, tool_name, tool_version, "
-                     "tool_commit, cpu, gl_renderer, gl_version, gl_software, scene, scene_sha256, triangles, instances, path, "
-                     "poses, width, height) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
-    insert.bind(listed.started);
-    if (listed.ended)
-        insert.bind(*listed.ended);
-    else
-        insert.bindNothing();
-    insert.bind(int64_t(listed.interrupted)).bind(listed.origin.experiment).bind(listed.origin.command);
-    insert.bind(listed.tool.name).bind(listed.tool.version).bind(listed.tool.commit).bind(listed.cpu);
-    insert.bind(listed.gl.renderer).bind(listed.gl.version).bind(int64_t(listed.gl.software));
-    insert.bind(listed.scene).bind(listed.sceneSha256).bind(int64_t(listed.triangles)).bind(int64_t(listed.instances));
-    insert.bind(listed.path).bind(int64_t(listed.poses)).bind(int64_t(listed.size.width)).bind(int64_t(listed.size.height));
-    insert.run();
-    return database.newestRow();
-}
-
-struct NewRun {
-    int64_t measurement;
-    size_t place;
-    std::string strategy;
-    bool askedFor, isLimit;
-    std::string head;
-    std::optional<std::string> figures{};
-};
-
-int64_t addRun(const Database& database, const NewRun& run) {
-    Statement insert(database,
-                     "INSERT INTO run (measurement, place, strategy, asked_for, is_limit, head, figures) VALUES (?,?,?,?,?,?,?)");
-    insert.bind(run.measurement).bind(int64_t(run.place)).bind(run.strategy);
-    insert.bind(int64_t(run.askedFor)).bind(int64_t(run.isLimit)).bind(run.head);
-    if (run.figures)
-        insert.bind(*run.figures);
-    else
-        insert.bindNothing();
-    insert.run();
-    return database.newestRow();
-}
-
-std::string compact(const ResultFields& fields) { return fields.dump(-1, ' ', false, ResultFields::error_handler_t::replace); }
-
-/// `judged`: what a summary needs of a judged frame besides its fields (judgedText); empty: nothing is known.
-void addFrame(const Database& database, int64_t run, bool ownRaster, const ResultFields& fields,
-              const std::vector<double>& frameTimes, const std::vector<double>& cullTimes, const std::string& judged) {
-    Statement insert(
-        database,
-        "INSERT INTO frame (run, pose, own_raster, fields, frame_times, cull_times, judged) VALUES (?,?,?,?,?,?,nullif(?,''))");
-    insert.bind(run).bind(fields.at("pose").get<int64_t>()).bind(int64_t(ownRaster)).bind(compact(fields));
-    insert.bind(compact(ResultFields(frameTimes))).bind(compact(ResultFields(cullTimes))).bind(judged);
-    insert.run();
 }
 
 std::string figuresText(const KeptFigures& kept) {
@@ -89,60 +36,15 @@ std::vector<int64_t> runNumbers(const Database& database, int64_t measurement) {
     return numbers;
 }
 
-/// Adds a result file's measurement and returns its number.
-int64_t addDocument(const Database& database, const ResultFields& document, const Origin& origin) {
-    Listed listed;
-    listed.started = timeText();
-    listed.ended = listed.started;
-    listed.interrupted = document.at("interrupted").get<bool>();
-    listed.origin = origin;
-    const ResultFields& tool = document.at("tool");
-    listed.tool = {tool.at("name").get<std::string>(), tool.at("version").get<std::string>(),
-                   tool.at("commit").get<std::string>()};
-    const ResultFields& machine = document.at("machine");
-    listed.cpu = machine.at("cpu").get<std::string>();
-    listed.gl.renderer = machine.at("gl_renderer").get<std::string>();
-    listed.gl.version = machine.at("gl_version").get<std::string>();
-    listed.gl.software = machine.at("gl_software").get<bool>();
-    const ResultFields& scene = document.at("scene");
-    listed.scene = scene.at("name").get<std::string>();
-    listed.sceneSha256 = scene.at("sha256").get<std::string>();
-    listed.triangles = scene.at("triangles").get<uint64_t>();
-    listed.instances = scene.at("instances").get<uint64_t>();
-    listed.path = document.at("path").get<std::string>();
-    std::vector<ResultFields> runs;
-    for (const ResultFields& run : document.at("runs")) runs.push_back(run);
-    const ResultFields& limit = document.at("limit");
-    const auto sameRun = [&](const ResultFields& run) {
-        return run.at("strategy") == limit.at("strategy") && run.at("parameters") == limit.at("parameters");
-    };
-    const size_t asked = runs.size();
-    if (!limit.is_null() && std::ranges::none_of(runs, sameRun)) runs.push_back(limit);
-    for (const ResultFields& run : runs) {
-        listed.poses = std::max<uint64_t>(listed.poses, run.at("frames").size());
-        listed.size = {run.at("width").get<int>(), run.at("height").get<int>()};
-    }
-    Transaction transaction(database);
-    const int64_t number = addMeasurement(database, listed);
-    for (size_t place = 0; place < runs.size(); ++place) {
-        ResultFields head = runs[place];
-        head.erase("frames");
-        head.erase("summary");
-        const std::string text = compact(head);
-        const int64_t run = addRun(database, {number, place + 1, strategyText(strategyOfHead(text)), place < asked,
-                                              !limit.is_null() && sameRun(runs[place]), text});
-        for (const ResultFields& frame : runs[place].at("frames"))
-            addFrame(database, run, false, frame, {frame.at("frame_ms").get<double>()}, {frame.at("cull_ms").get<double>()}, "");
-    }
-    transaction.commit();
-    return number;
-}
-
 }  // namespace
 
 std::string timeText() {
     using namespace std::chrono;
-    const auto now = floor<milliseconds>(system_clock::now());
+    return timeText(floor<milliseconds>(system_clock::now()));
+}
+
+std::string timeText(std::chrono::sys_time<std::chrono::milliseconds> now) {
+    using namespace std::chrono;
     const std::time_t seconds = system_clock::to_time_t(now);
     std::tm utc{};
     gmtime_r(&seconds, &utc);
@@ -247,13 +149,6 @@ void ResultStore::remove(int64_t number) const {
     transaction.commit();
 }
 
-int64_t ResultStore::addFile(const std::string& json, const std::string& file, const Origin& origin) const {
-    try {
-        return addDocument(m_database, ResultFields::parse(json), origin);
-    } catch (const ResultFields::exception&) {
-        throwInput(CULLSCOPE_TR("%1 is no result file of cullbench measure."), {file});
-    }
-}
 void ResultStore::addOld(const std::vector<OldExperiment>& experiments) const {
     Transaction transaction(m_database);
     for (const OldExperiment& experiment : experiments) {
@@ -272,15 +167,6 @@ void ResultStore::addOld(const std::vector<OldExperiment>& experiments) const {
         }
     }
     transaction.commit();
-}
-
-int64_t ResultStore::addCertificate(const certify::Certificate& certificate) const {
-    Transaction transaction(m_database);
-    Statement insert(m_database, "INSERT INTO certificate (added, strategy, document) VALUES (?,?,?)");
-    insert.bind(timeText()).bind(certificate.strategy).bind(certify::certificateJson(certificate)).run();
-    const int64_t number = m_database.newestRow();
-    transaction.commit();
-    return number;
 }
 
 }  // namespace cullscope::store

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -88,6 +89,14 @@ struct StoredCertificate {
     std::string document;  ///< certificateJson
 };
 
+/// What was to be added. A measurement is there already where one was begun at the same millisecond on the same machine, of the
+/// same scene, path and experiment; a certificate where one has the same words.
+struct Added {
+    int64_t number = 0;  ///< of the new one, or of the one that is there
+    bool isNew = true;
+    bool isCertificate = false;
+};
+
 /// One file with measurements (SQLite, write-ahead log). Several programs may write at once. What was committed stays, whatever
 /// ends the program.
 class ResultStore {
@@ -110,13 +119,16 @@ public:
     void addPose(int64_t number, const Meter& meter) const;
     void end(int64_t number, bool interrupted) const;
     /// Adds a result file of `cullbench measure`. Its frames have no repetitions: they are one number each.
-    /// Throws Error(Input), naming `file`, where the text is none.
-    [[nodiscard]] int64_t addFile(const std::string& json, const std::string& file, const Origin& origin) const;
+    /// `started`: when it was measured. Throws Error(Input), naming `file`, where the text is none.
+    [[nodiscard]] Added addFile(const std::string& json, const std::string& file, const Origin& origin,
+                                const std::string& started) const;
+    /// Adds the measurements and certificates of another store, each as a whole, as a study's parts are brought together.
+    [[nodiscard]] std::vector<Added> addAll(const ResultStore& other) const;
 
     /// Adds them all, or none.
     void addOld(const std::vector<OldExperiment>& experiments) const;
 
-    [[nodiscard]] int64_t addCertificate(const certify::Certificate& certificate) const;
+    [[nodiscard]] Added addCertificate(const certify::Certificate& certificate) const;
     [[nodiscard]] std::vector<StoredCertificate> certificates() const;
 
     [[nodiscard]] const Database& database() const { return m_database; }
@@ -132,6 +144,7 @@ private:
 
 /// The time now as the store has it.
 [[nodiscard]] std::string timeText();
+[[nodiscard]] std::string timeText(std::chrono::sys_time<std::chrono::milliseconds> time);
 
 /// The strategy of a run's fields, as a request; one that this program does not know has its text as id and no parameters.
 [[nodiscard]] StrategyRequest strategyOfHead(const std::string& head);

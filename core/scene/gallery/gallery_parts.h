@@ -52,6 +52,17 @@ struct Parts {
 [[nodiscard]] Parts acrossTheNearPlane();
 [[nodiscard]] Parts nothingBesideSomething();
 
+// What cases compute with that draw nothing.
+[[nodiscard]] Parts flatBoxAboveAPlane();
+[[nodiscard]] Parts sphereAtAFarPlane();
+[[nodiscard]] Parts whatIsLeftOfABrokenFile();
+[[nodiscard]] Parts triangleOverTheSeam();
+[[nodiscard]] Parts triangleOverThePole();
+[[nodiscard]] Parts azimuthsOfOtherQuadrants();
+[[nodiscard]] Parts azimuthThatRoundsToATurn();
+[[nodiscard]] Parts smallZenithAngle();
+[[nodiscard]] Parts boxesToBeNamed();
+
 // Order and pixels.
 [[nodiscard]] Parts barsInACycle();
 [[nodiscard]] Parts pixelRule();

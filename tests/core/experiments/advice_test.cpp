@@ -9,6 +9,7 @@
 #include "core/experiments/advice/race.h"
 #include "core/experiments/pairwise.h"
 #include "core/experiments/worst/worst_view.h"
+#include "core/geometry/random.h"
 #include "core/measure/field_figures.h"
 #include "core/scene/camera_path.h"
 #include "tests/support/gl_environment.h"
@@ -42,6 +43,29 @@ TEST(Advice, candidatesAreEveryStrategyThatNeedsNoFileAndEachValueOfItsSweeps) {
     std::set<std::string> different;
     for (const StrategyRequest& one : all) different.insert(strategyText(one));
     EXPECT_EQ(different.size(), all.size());
+}
+
+/// Its times at eight views, three of each, lie anywhere within `scatter` of `milliseconds`.
+advice::Entrant entrantOf(double milliseconds, double scatter, bool everything, uint64_t seed) {
+    Random random(seed);
+    advice::Entrant entrant;
+    entrant.eligible = entrant.racing = true;
+    entrant.figures.everything = everything;
+    entrant.times.assign(8, std::vector<double>(3));
+    for (std::vector<double>& view : entrant.times)
+        for (double& time : view) time = random.between(milliseconds - scatter, milliseconds + scatter);
+    return entrant;
+}
+
+TEST(Advice, drawingEverythingIsChosenWhereTheIntervalOfTheFastestDoesNotExcludeIt) {
+    std::vector<advice::Entrant> entrants{entrantOf(12.0, 0.1, true, 1), entrantOf(10.0, 3.0, true, 2),
+                                          entrantOf(9.9, 3.0, false, 3)};
+    EXPECT_EQ(advice::everythingWhereAsFast(entrants, &entrants[2]), &entrants[1]) << "the fastest way of drawing everything";
+    entrants[2] = entrantOf(5.0, 0.1, false, 4);
+    EXPECT_EQ(advice::everythingWhereAsFast(entrants, &entrants[2]), &entrants[2]) << "it is faster for certain";
+    entrants[2] = entrantOf(9.9, 3.0, false, 3);
+    entrants[1].racing = false;
+    EXPECT_EQ(advice::everythingWhereAsFast(entrants, &entrants[2]), &entrants[2]) << "the race found it slower";
 }
 
 TEST(Advice, answersWithAStrategyThatLosesNothingAndSaysWhatBecameOfEachOther) {

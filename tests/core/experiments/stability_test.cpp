@@ -126,7 +126,10 @@ TEST(Stability, pictureThatShouldNotBeEmptyIsWrong) {
 
 TEST(Stability, everySceneOfTheGalleryOpensWithItsCameras) {
     std::set<std::string> used;
-    for (const StabilityCase& which : stability::battery()) used.insert(which.scene);
+    for (const StabilityCase& which : stability::battery()) {
+        EXPECT_FALSE(which.scene.empty()) << which.id << " can be looked at";
+        used.insert(which.scene);
+    }
     for (const GeneratorInfo& info : galleryInfos()) {
         const OpenedScene opened = openScene(info.id);
         EXPECT_EQ(opened.specification, info.id);

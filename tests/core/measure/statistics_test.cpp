@@ -129,6 +129,22 @@ TEST(RatioOfTotals, onlyPairsCount) {
     EXPECT_EQ(ratioOfTotals(some), (RatioEstimate{3.0, {3.0, 3.0}, false}));
 }
 
+TEST(RatioOfTotals, intervalHoldsItsEstimateHoweverFewAndScatteredTheTimes) {
+    Random random(7);
+    for (int experiment = 0; experiment < 300; ++experiment) {
+        std::vector<ViewTimes> views(1 + random.bits() % 4);
+        for (ViewTimes& view : views) {
+            view.baseline.resize(1 + random.bits() % 4);
+            view.subject.resize(1 + random.bits() % 4);
+            for (std::vector<double>* times : {&view.baseline, &view.subject})
+                for (double& time : *times) time = random.between(1.0, 30.0);
+        }
+        const RatioEstimate estimate = ratioOfTotals(views);
+        EXPECT_LE(estimate.ci95[0], estimate.ratio) << experiment;
+        EXPECT_GE(estimate.ci95[1], estimate.ratio) << experiment;
+    }
+}
+
 TEST(RatioOfTotals, aSingleNumberHasNoInterval) {
     const ViewTimes once{{6}, {2}}, twice{{6, 7}, {2, 2}};
     EXPECT_FALSE(ratioOfTotals(std::vector{once}).hasInterval) << "one view, drawn once";

@@ -167,8 +167,12 @@ bool fits(const QTableView& table) {
     for (int column = 0; column < model.columnCount(); ++column) {
         if (table.isColumnHidden(column)) continue;
         if (widthOf(model.headerData(column, Qt::Horizontal).toString(), metrics) > table.columnWidth(column)) return false;
-        for (int row = 0; row < model.rowCount(); ++row)
-            if (metrics.horizontalAdvance(model.index(row, column).data().toString()) > table.columnWidth(column)) return false;
+        for (int row = 0; row < model.rowCount(); ++row) {
+            const QString text = model.index(row, column).data().toString();
+            const int lines = 1 + int(text.count(QLatin1Char('\n')));
+            if (widthOf(text, metrics) > table.columnWidth(column)) return false;
+            if (lines > 1 && lines * metrics.lineSpacing() > table.rowHeight(row)) return false;
+        }
     }
     if (!table.verticalHeader()->isVisible()) return true;
     for (int row = 0; row < model.rowCount(); ++row)

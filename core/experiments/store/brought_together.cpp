@@ -1,0 +1,146 @@
+#include "core/base/error.h"
+#include "core/experiments/store/result_store.h"
+#include "core/experiments/store/rows.h"
+
+// What comes into a store from files: results of other runs, parts of a study.
+namespace cullscope::store {
+namespace {
+
+/// The measurement that is there already; none: there is none.
+std::optional<int64_t> numberOf(const Database& database, const Listed& listed) {
+    Statement select(database,
+                     "SELECT number FROM measurement WHERE started = ? AND experiment = ? AND cpu = ? AND scene = ? AND "
+                     "scene_sha256 = ? AND path = ?");
+    select.bind(listed.started).bind(listed.origin.experiment).bind(listed.cpu);
+    select.bind(listed.scene).bind(listed.sceneSha256).bind(listed.path);
+    return select.next() ? std::optional(select.number(0)) : std::nullopt;
+}
+
+/// Adds a result file's measurement.
+Added addDocument(const Database& database, const ResultFields& document, const Origin& origin, const std::string& started) {
+    Listed listed;
+    listed.started = started;
+    listed.ended = started;
+    listed.interrupted = document.at("interrupted").get<bool>();
+    listed.origin = origin;
+    const ResultFields& tool = document.at("tool");
+    listed.tool = {tool.at("name").get<std::string>(), tool.at("version").get<std::string>(),
+                   tool.at("commit").get<std::string>()};
+    const ResultFields& machine = document.at("machine");
+    listed.cpu = machine.at("cpu").get<std::string>();
+    listed.gl.renderer = machine.at("gl_renderer").get<std::string>();
+    listed.gl.version = machine.at("gl_version").get<std::string>();
+    listed.gl.software = machine.at("gl_software").get<bool>();
+    const ResultFields& scene = document.at("scene");
+    listed.scene = scene.at("name").get<std::string>();
+    listed.sceneSha256 = scene.at("sha256").get<std::string>();
+    listed.triangles = scene.at("triangles").get<uint64_t>();
+    listed.instances = scene.at("instances").get<uint64_t>();
+    listed.path = document.at("path").get<std::string>();
+    std::vector<ResultFields> runs;
+    for (const ResultFields& run : document.at("runs")) runs.push_back(run);
+    const ResultFields& limit = document.at("limit");
+    const auto sameRun = [&](const ResultFields& run) {
+        return run.at("strategy") == limit.at("strategy") && run.at("parameters") == limit.at("parameters");
+    };
+    const size_t asked = runs.size();
+    if (!limit.is_null() && std::ranges::none_of(runs, sameRun)) runs.push_back(limit);
+    for (const ResultFields& run : runs) {
+        listed.poses = std::max<uint64_t>(listed.poses, run.at("frames").size());
+        listed.size = {run.at("width").get<int>(), run.at("height").get<int>()};
+    }
+    Transaction transaction(database);
+    if (const std::optional<int64_t> there = numberOf(database, listed)) return {*there, false};
+    const int64_t number = addMeasurement(database, listed);
+    for (size_t place = 0; place < runs.size(); ++place) {
+        ResultFields head = runs[place];
+        head.erase("frames");
+        head.erase("summary");
+        const std::string text = compact(head);
+        const int64_t run = addRun(database, {number, place + 1, strategyText(strategyOfHead(text)), place < asked,
+                                              !limit.is_null() && sameRun(runs[place]), text});
+        for (const ResultFields& frame : runs[place].at("frames"))
+            addFrame(database, run, false, frame, {frame.at("frame_ms").get<double>()}, {frame.at("cull_ms").get<double>()}, "");
+    }
+    transaction.commit();
+    return {number};
+}
+
+void bindAsRead(Statement& to, const Statement& from, int column) {
+    if (from.isNothing(column))
+        to.bindNothing();
+    else
+        to.bind(from.text(column));
+}
+
+/// Adds the runs and frames of a measurement of another store to one of this one.
+void copyRuns(const Database& from, int64_t number, const Database& to, int64_t copy) {
+    Statement runs(from, "SELECT number, place, strategy, asked_for, is_limit, head, figures FROM run WHERE measurement = ?");
+    runs.bind(number);
+    while (runs.next()) {
+        const std::optional<std::string> figures = runs.isNothing(6) ? std::nullopt : std::optional(runs.text(6));
+        const int64_t run = addRun(
+            to, {copy, size_t(runs.number(1)), runs.text(2), runs.number(3) != 0, runs.number(4) != 0, runs.text(5), figures});
+        Statement frames(from, "SELECT pose, own_raster, fields, frame_times, cull_times, judged FROM frame WHERE run = ?");
+        frames.bind(runs.number(0));
+        while (frames.next()) {
+            Statement insert(to,
+                             "INSERT INTO frame (run, pose, own_raster, fields, frame_times, cull_times, judged) "
+                             "VALUES (?,?,?,?,?,?,?)");
+            insert.bind(run).bind(frames.number(0)).bind(frames.number(1));
+            for (int column = 2; column < 6; ++column) bindAsRead(insert, frames, column);
+            insert.run();
+        }
+    }
+}
+
+Added addCertificateText(const Database& database, const std::string& added, const std::string& strategy,
+                         const std::string& document) {
+    Transaction transaction(database);
+    Statement select(database, "SELECT number FROM certificate WHERE strategy = ? AND document = ?");
+    select.bind(strategy).bind(document);
+    if (select.next()) return {select.number(0), false, true};
+    Statement insert(database, "INSERT INTO certificate (added, strategy, document) VALUES (?,?,?)");
+    insert.bind(added).bind(strategy).bind(document).run();
+    const int64_t number = database.newestRow();
+    transaction.commit();
+    return {number, true, true};
+}
+
+}  // namespace
+
+Added ResultStore::addFile(const std::string& json, const std::string& file, const Origin& origin,
+                           const std::string& started) const {
+    try {
+        return addDocument(m_database, ResultFields::parse(json), origin, started);
+    } catch (const ResultFields::exception&) {
+        throwInput(
+            CULLSCOPE_TR("%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps "
+                         "and experiments have no frames: measure them with --store."),
+            {file});
+    }
+}
+
+std::vector<Added> ResultStore::addAll(const ResultStore& other) const {
+    std::vector<Added> all;
+    for (const Listed& listed : other.list()) {
+        Transaction transaction(m_database);
+        if (const std::optional<int64_t> there = numberOf(m_database, listed)) {
+            all.push_back({*there, false});
+            continue;
+        }
+        const int64_t copy = addMeasurement(m_database, listed);
+        copyRuns(other.m_database, listed.number, m_database, copy);
+        transaction.commit();
+        all.push_back({copy});
+    }
+    for (const StoredCertificate& certificate : other.certificates())
+        all.push_back(addCertificateText(m_database, certificate.added, certificate.strategy, certificate.document));
+    return all;
+}
+
+Added ResultStore::addCertificate(const certify::Certificate& certificate) const {
+    return addCertificateText(m_database, timeText(), certificate.strategy, certify::certificateJson(certificate));
+}
+
+}  // namespace cullscope::store
