@@ -6441,11 +6441,11 @@
     </message>
     <message>
         <source>front: nothing lost</source>
-        <translation>전선: 잃은 것 없음</translation>
+        <translation>파레토 경계: 잃은 것 없음</translation>
     </message>
     <message>
         <source>front: something lost</source>
-        <translation>전선: 잃은 것 있음</translation>
+        <translation>파레토 경계: 잃은 것 있음</translation>
     </message>
     <message>
         <source>trying views</source>
