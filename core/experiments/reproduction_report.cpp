@@ -42,7 +42,7 @@ nav a { color: inherit; }
 @media print {
     @page { size: A4 landscape; margin: 12mm; }
     body { font-size: 10.5pt; max-width: none; padding: 0; }
-    h1 { font-size: 20pt; } h2 { font-size: 14pt; margin-top: 18pt; break-after: avoid; }
+    h1 { font-size: 20pt; } h2 { font-size: 14pt; margin-top: 18pt; break-after: avoid; } h2 + p { break-after: avoid; }
     .wide { overflow: visible; }
     table { font-size: 7.5pt; } th, td { padding: 1.5pt 4pt; } thead { display: table-header-group; } tr { break-inside: avoid; }
     td { white-space: normal; } td.words { min-width: 0; }

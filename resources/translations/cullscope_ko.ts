@@ -7903,6 +7903,10 @@
         <source>Speed, front faces</source>
         <translation>속도(앞면)</translation>
     </message>
+    <message>
+        <source>Lengths in %1 are taken for metres: only units of the SI are converted.</source>
+        <translation>%1 단위의 길이를 미터로 봅니다. SI 단위만 변환됩니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7903,6 +7903,10 @@
         <source>Speed, front faces</source>
         <translation>速度（正面）</translation>
     </message>
+    <message>
+        <source>Lengths in %1 are taken for metres: only units of the SI are converted.</source>
+        <translation>以 %1 为单位的长度按米处理：只转换国际单位制单位。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -46,9 +46,24 @@ void requireSchema(std::string_view content, const std::string& name) {
                {name, terminalLine(rest.substr(0, rest.find('\'')))});
 }
 
+/// The name of a unit of length that is defined by another one, such as the foot; empty: there is none. Assimp converts units of
+/// the SI alone.
+std::string unconvertedLength(std::string_view content) {
+    constexpr std::string_view kUnit = "IFCCONVERSIONBASEDUNIT(";
+    for (size_t at = content.find(kUnit); at != std::string_view::npos; at = content.find(kUnit, at + 1)) {
+        const std::string_view line = content.substr(at, content.find(';', at) - at);
+        if (line.find(".LENGTHUNIT.") == std::string_view::npos) continue;
+        const size_t name = line.find('\'');
+        if (name == std::string_view::npos) return "?";
+        return terminalLine(line.substr(name + 1, line.find('\'', name + 1) - name - 1));
+    }
+    return {};
+}
+
 /// What the converter wrote to standard error.
 struct Notes {
     std::string error;  ///< why the file cannot be read; empty: it can
+    std::string unit;   ///< unconvertedLength
     size_t lines = 0;   ///< shapes that have no surface
     std::set<std::string> uncutOpenings;
     std::set<std::string> unknownKinds;
@@ -100,6 +115,8 @@ void remark(LoadReport& report, const Notes& notes) {
     const auto add = [&](std::string_view sentence, std::vector<std::string> values) {
         report.remarks.push_back({std::string(sentence), std::move(values)});
     };
+    if (!notes.unit.empty())
+        add(CULLSCOPE_TR("Lengths in %1 are taken for metres: only units of the SI are converted."), {notes.unit});
     if (notes.unknown > 0)
         add(CULLSCOPE_TR("Shapes left out of kinds that are not read: %1 (%2)."),
             {std::to_string(notes.unknown), joined(notes.unknownKinds)});
@@ -131,6 +148,7 @@ FileScene readIfcFile(const std::filesystem::path& path, const LoadOptions& opti
         const uint64_t memory = options.memoryLimitBytes > 0 ? options.memoryLimitBytes : memoryToPlanWith();
         Filtered made = runFilter(ownLibraryFile(ifc::kConverter), std::array{std::to_string(memory)}, text, progress);
         notes = ifc::notesOf(made.errors);
+        notes.unit = ifc::unconvertedLength(text);
         if (made.status == ifc::kTooLittleMemory)
             throwInput(CULLSCOPE_TR("%1 needs more memory than this machine gives. Simplify the mesh or split the file."),
                        {name});

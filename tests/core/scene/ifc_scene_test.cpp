@@ -100,6 +100,13 @@ TEST_F(Ifc, lengthsAreMetresAndYIsUp) {
     expectBox(scene->instanceBox(2), {5.6, 1, -0.125}, {6.4, 2.5, -0.075});
     const ScenePointer metres = read(withLine(ifcSample(), 6, "#6=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n")).scene;
     expectBox(metres->instanceBox(0), {0, 0, -200}, {4000, 3000, 0}, 1e-2);
+    const FileScene feet = read(withLine(ifcSample(), 6,
+                                         "#6=IFCCONVERSIONBASEDUNIT(#906,.LENGTHUNIT.,'FOOT',#907);\n"
+                                         "#906=IFCDIMENSIONALEXPONENTS(1,0,0,0,0,0,0);\n"
+                                         "#907=IFCMEASUREWITHUNIT(IFCLENGTHMEASURE(0.3048),#908);\n"
+                                         "#908=IFCSIUNIT(*,.LENGTHUNIT.,$,.METRE.);\n"));
+    EXPECT_THAT(remarksOf(feet.report), testing::Contains(HasSubstr("Lengths in FOOT are taken for metres")));
+    EXPECT_THAT(remarksOf(read(ifcSample()).report), testing::Not(testing::Contains(HasSubstr("Lengths in"))));
 }
 
 TEST_F(Ifc, openingsAreCutThroughTheWall) {
