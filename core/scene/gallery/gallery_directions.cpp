@@ -38,12 +38,15 @@ MeshPointer aboutTheOrigin(const std::vector<Vec3>& triangles) {
 std::vector<Vec3> around(const Vec3& middle) {
     const Vec3 aside = glm::normalize(glm::cross(middle, std::abs(middle.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
     const Vec3 up = glm::cross(aside, middle);
-    constexpr double kSpread = 0.05;
+    constexpr double kSpread = 0.2;
     const auto corner = [&](double x, double y) { return glm::normalize(middle + kSpread * (x * aside + y * up)); };
     return {corner(-1, -1), corner(0, 1), corner(1, -1)};
 }
 
-Parts seenFrom(const MeshPointer& mesh, const Vec3& at) { return Parts().add(mesh).from(cameraAt(3.0 * at, 45)); }
+/// From a direction, with a field of view that the triangles fill.
+Parts seenFrom(const MeshPointer& mesh, const Vec3& at, double fovyDegrees) {
+    return Parts().add(mesh).from(cameraAt(3.0 * at, fovyDegrees));
+}
 
 }  // namespace
 
@@ -55,7 +58,8 @@ Parts flatBoxAboveAPlane() {
 Parts sphereAtAFarPlane() {
     const Vec3 on(1e7 + 5.5, 0, -1e7 + 6.5), centre(1e7 + 8.5, 0, -1e7 + 7.5), normal(.6, 0, -.8);
     Mat4 plane = moved(on) * turned({0, 1, 0}, std::atan2(normal.x, normal.z));
-    const Vec3 eye = centre + Vec3(0, 4, 9);
+    // The plane's normal points to the side of the eye.
+    const Vec3 eye = centre + Vec3(5, 3, -7);
     return Parts()
         .add(sphereMesh(4000), moved(centre))
         .add(square(6, 0.0f), plane)
@@ -67,25 +71,26 @@ Parts whatIsLeftOfABrokenFile() {
 }
 
 Parts triangleOverTheSeam() {
-    return seenFrom(aboutTheOrigin({direction(89.2, 359.5), direction(89.5, 0.2), direction(89.8, 0.5)}), {1, 0, 0});
+    return seenFrom(aboutTheOrigin({direction(89.2, 359.5), direction(89.5, 0.2), direction(89.8, 0.5)}), direction(89.5, 0.07),
+                    0.8);
 }
 
 Parts triangleOverThePole() {
-    return seenFrom(aboutTheOrigin({direction(1, 0), direction(1, 120), direction(1, 240)}), {0, 0, 1});
+    return seenFrom(aboutTheOrigin({direction(1, 0), direction(1, 120), direction(1, 240)}), {0, 0, 1}, 1.5);
 }
 
 Parts azimuthsOfOtherQuadrants() {
     std::vector<Vec3> triangles = around(direction(90, 225));
     for (const Vec3& corner : around(direction(90, 90))) triangles.push_back(corner);
-    return seenFrom(aboutTheOrigin(triangles), glm::normalize(Vec3(-1, 0.5, 0.5)));
+    return seenFrom(aboutTheOrigin(triangles), glm::normalize(Vec3(-1, 0.5, 0.5)), 45);
 }
 
 Parts azimuthThatRoundsToATurn() {
-    return seenFrom(aboutTheOrigin({Vec3(1, -1e-17, 0), direction(85, 5), direction(85, 10)}), {1, 0, 0});
+    return seenFrom(aboutTheOrigin({Vec3(1, -1e-17, 0), direction(85, 5), direction(85, 10)}), direction(87, 5), 8);
 }
 
 Parts smallZenithAngle() {
-    return seenFrom(aboutTheOrigin({glm::normalize(Vec3(1e-9, 0, 1)), direction(5, 10), direction(5, 50)}), {0, 0, 1});
+    return seenFrom(aboutTheOrigin({glm::normalize(Vec3(1e-9, 0, 1)), direction(5, 10), direction(5, 50)}), direction(3, 30), 6);
 }
 
 Parts boxesToBeNamed() {
