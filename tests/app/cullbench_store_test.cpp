@@ -192,6 +192,11 @@ TEST_F(CullbenchContract, resultFilesAndCertificatesAreAddedToAStore) {
     EXPECT_EQ(back["scene"], given["scene"]);
     EXPECT_THAT(cullbench({"store", file("results"), "add", file("a.json"), file("c.json")}).out,
                 testing::AllOf(HasSubstr("measurement 2"), HasSubstr("certificate 1"), HasSubstr("already")));
+    // Another result that was written at the same moment is another measurement.
+    ASSERT_EQ(measureInto(file("others"), {"--json", file("b.json")}, "fibonacci:3", "all,backface").exitStatus, 0);
+    std::filesystem::last_write_time(file("b.json"), std::filesystem::last_write_time(file("a.json")));
+    EXPECT_THAT(cullbench({"store", file("results"), "add", file("b.json")}).out,
+                testing::AllOf(HasSubstr("measurement 3"), testing::Not(HasSubstr("already"))));
     std::ofstream(file("t.json")) << "{}";
     expectRefusal(cullbench({"store", file("results"), "add", file("t.json")}), 3, "no result file");
 }

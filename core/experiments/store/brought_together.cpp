@@ -6,14 +6,25 @@
 namespace cullscope::store {
 namespace {
 
-/// The measurement that is there already; none: there is none.
-std::optional<int64_t> numberOf(const Database& database, const Listed& listed) {
+/// The fields of a measurement's runs, by place.
+std::vector<std::string> headsOf(const Database& database, int64_t measurement) {
+    Statement select(database, "SELECT head FROM run WHERE measurement = ? ORDER BY place");
+    select.bind(measurement);
+    std::vector<std::string> heads;
+    while (select.next()) heads.push_back(select.text(0));
+    return heads;
+}
+
+/// The measurement that is there already; none: there is none. `heads`: the fields of its runs, by place.
+std::optional<int64_t> numberOf(const Database& database, const Listed& listed, const std::vector<std::string>& heads) {
     Statement select(database,
                      "SELECT number FROM measurement WHERE started = ? AND experiment = ? AND cpu = ? AND scene = ? AND "
                      "scene_sha256 = ? AND path = ?");
     select.bind(listed.started).bind(listed.origin.experiment).bind(listed.cpu);
     select.bind(listed.scene).bind(listed.sceneSha256).bind(listed.path);
-    return select.next() ? std::optional(select.number(0)) : std::nullopt;
+    while (select.next())
+        if (headsOf(database, select.number(0)) == heads) return select.number(0);
+    return std::nullopt;
 }
 
 /// Adds a result file's measurement.
@@ -49,16 +60,18 @@ Added addDocument(const Database& database, const ResultFields& document, const 
         listed.poses = std::max<uint64_t>(listed.poses, run.at("frames").size());
         listed.size = {run.at("width").get<int>(), run.at("height").get<int>()};
     }
-    Transaction transaction(database);
-    if (const std::optional<int64_t> there = numberOf(database, listed)) return {*there, false};
-    const int64_t number = addMeasurement(database, listed);
-    for (size_t place = 0; place < runs.size(); ++place) {
-        ResultFields head = runs[place];
+    std::vector<std::string> heads;
+    for (ResultFields head : runs) {
         head.erase("frames");
         head.erase("summary");
-        const std::string text = compact(head);
-        const int64_t run = addRun(database, {number, place + 1, strategyText(strategyOfHead(text)), place < asked,
-                                              !limit.is_null() && sameRun(runs[place]), text});
+        heads.push_back(compact(head));
+    }
+    Transaction transaction(database);
+    if (const std::optional<int64_t> there = numberOf(database, listed, heads)) return {*there, false};
+    const int64_t number = addMeasurement(database, listed);
+    for (size_t place = 0; place < runs.size(); ++place) {
+        const int64_t run = addRun(database, {number, place + 1, strategyText(strategyOfHead(heads[place])), place < asked,
+                                              !limit.is_null() && sameRun(runs[place]), heads[place]});
         for (const ResultFields& frame : runs[place].at("frames"))
             addFrame(database, run, false, frame, {frame.at("frame_ms").get<double>()}, {frame.at("cull_ms").get<double>()}, "");
     }
@@ -125,7 +138,7 @@ std::vector<Added> ResultStore::addAll(const ResultStore& other) const {
     std::vector<Added> all;
     for (const Listed& listed : other.list()) {
         Transaction transaction(m_database);
-        if (const std::optional<int64_t> there = numberOf(m_database, listed)) {
+        if (const std::optional<int64_t> there = numberOf(m_database, listed, headsOf(other.m_database, listed.number))) {
             all.push_back({*there, false});
             continue;
         }

@@ -90,7 +90,7 @@ struct StoredCertificate {
 };
 
 /// What was to be added. A measurement is there already where one was begun at the same millisecond on the same machine, of the
-/// same scene, path and experiment; a certificate where one has the same words.
+/// same scene, path and experiment, with the same runs; a certificate where one has the same words.
 struct Added {
     int64_t number = 0;  ///< of the new one, or of the one that is there
     bool isNew = true;
