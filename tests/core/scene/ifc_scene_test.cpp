@@ -222,7 +222,7 @@ TEST_F(Ifc, everySeededMutationLoadsOrIsRefused) {
         kSeconds));
 }
 
-TEST(IfcOfAHouse, hasTheTrianglesThatAnotherProgramMadeOfIt) {
+TEST(IfcOfAHouse, hasTheTrianglesAndBoundsOfItsExport) {
     const std::optional<ScenePointer> read = sharedScene("AC14-FZK-Haus.ifc.xz");
     const std::optional<ScenePointer> other = sharedScene("fzk-haus-ifc-294obj-35906t.obj");
     if (!read || !other)
