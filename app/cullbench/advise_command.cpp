@@ -1,7 +1,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
-#include "core/experiments/advice/adviser.h"
+#include "core/experiments/reports.h"
 #include "core/gpu/context.h"
 
 namespace cullscope::cullbench {
@@ -11,7 +11,7 @@ struct AdviseOptions {
     SceneChoice scene;
     RunOptions run;
     double maxMissed = 0.0, buildLimit = 0.0;
-    std::string json, svg;
+    std::string json, svg, store;
 };
 
 void adviseOn(const AdviseOptions& options, Context& context) {
@@ -22,7 +22,8 @@ void adviseOn(const AdviseOptions& options, Context& context) {
     request.buildSeconds = options.buildLimit;
     if (options.json == "-" && options.svg == "-")
         throwUsage(CULLSCOPE_TR("--json and --svg cannot both go to standard output: name a file for one of them."));
-    checkOutputPlaces({options.json, options.svg});
+    checkOutputPlaces({options.json, options.svg}, options.store);
+    const ReportKeeper keeper(options.store, context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     request.scene = opened.scene;
@@ -38,6 +39,7 @@ void adviseOn(const AdviseOptions& options, Context& context) {
     }
     printText(options.json == "-" || options.svg == "-" ? stderr : stdout, adviceText(advice));
     if (advice.interrupted) context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
+    keeper.keep(reportOf(advice));
 }
 
 }  // namespace
@@ -60,6 +62,7 @@ void addAdviseCommand(CLI::App& app, Context& context) {
         ->check(positiveNumber());
     command->add_option("--json", options->json, "result file; - is standard output");
     command->add_option("--svg", options->svg, "the plot of speed against losses; - is standard output");
+    addReportStoreOption(*command, options->store);
     command->callback([options, &context] { adviseOn(*options, context); });
 }
 

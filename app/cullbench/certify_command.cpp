@@ -19,33 +19,32 @@ struct CertifyOptions {
     bool worker = false;
 };
 
-void report(const std::vector<certify::Certificate>& certificates, const CertifyOptions& options, Context& context) {
+void report(const std::vector<certify::Certificate>& certificates, const CertifyOptions& options, const ReportKeeper& keeper,
+            Context& context) {
     const auto lost = [](const certify::Certificate& one) { return !one.counterexamples.empty(); };
     if (context.stop.stop_requested() && !std::ranges::all_of(certificates, &certify::Certificate::complete))
         context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
     else if (std::ranges::any_of(certificates, lost))
         context.exitStatus = 1;
     if (!options.json.empty()) writeText(options.json, certify::certificatesJson(certificates));
-    if (!options.store.empty()) {
-        const store::ResultStore opened(options.store);
-        for (const certify::Certificate& one : certificates) (void)opened.addCertificate(one);
-    }
     for (const certify::Certificate& one : certificates)
         printText(options.json == "-" ? stderr : stdout, certify::certificateText(one));
+    for (const certify::Certificate& one : certificates) keeper.keep(reportOf(one));
 }
 
-void merge(const CertifyOptions& options, Context& context) {
+void merge(const CertifyOptions& options, const ReportKeeper& keeper, Context& context) {
     std::vector<certify::Certificate> certificates;
     for (const std::string& file : options.merge)
         for (certify::Certificate& one : certify::readCertificates(file)) certificates.push_back(std::move(one));
-    report(certify::merged(certificates), options, context);
+    report(certify::merged(certificates), options, keeper, context);
 }
 
 void run(const CertifyOptions& options, Context& context) {
     checkOutputPlaces({options.json, options.state}, options.store);
+    const ReportKeeper keeper(options.store, context);
     if (!options.merge.empty()) {
         if (!options.strategies.empty()) throwUsage(CULLSCOPE_TR("--merge takes state files alone: leave out the strategy."));
-        return merge(options, context);
+        return merge(options, keeper, context);
     }
     if (options.strategies.empty()) throwUsage(CULLSCOPE_TR("Name the strategy to be certified, or state files with --merge."));
     certify::CertifyRequest request;
@@ -64,7 +63,7 @@ void run(const CertifyOptions& options, Context& context) {
     }
     const std::vector<certify::Certificate> certificates = certify::certify(request, terminalProgress(context));
     clearProgress();
-    report(certificates, options, context);
+    report(certificates, options, keeper, context);
 }
 
 }  // namespace
@@ -89,7 +88,7 @@ void addCertifyCommand(CLI::App& app, Context& context) {
         ->check(CLI::Range(size_t{1}, size_t{1024}));
     command->add_option("--merge", options->merge, "state files of shards, to be put together");
     command->add_option("--json", options->json, "result file; - is standard output");
-    command->add_option("--store", options->store, "result store (SQLite) that the certificates go into");
+    addReportStoreOption(*command, options->store);
     command->add_flag("--worker", options->worker)->group("");
     command->callback([options, &context] { run(*options, context); });
 }

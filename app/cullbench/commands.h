@@ -125,6 +125,20 @@ void addStoreOption(CLI::App& command, std::string& store);
 /// Throws the Error that kept measurements from the store; to be called when everything else is said.
 void requireRecorded(const std::unique_ptr<store::Recorder>& recorder);
 
+/// --store FILE of a command that measures no frames to keep: the report goes into that store.
+void addReportStoreOption(CLI::App& command, std::string& store);
+/// The store of that option, opened before the work, so that a wrong name is told then; without the option it keeps nothing.
+class ReportKeeper {
+public:
+    ReportKeeper(const std::string& store, const Context& context);
+    /// With the command of the context. What was interrupted is not kept: a study would take it for done.
+    void keep(store::Report report) const;
+
+private:
+    std::optional<store::ResultStore> m_store;
+    const Context& m_context;
+};
+
 /// Throws Error(OpenGl) with one sentence where this OpenGL does not meet a strategy's requirement.
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);
 

@@ -197,6 +197,20 @@ void requireRecorded(const std::unique_ptr<store::Recorder>& recorder) {
     if (recorder && recorder->failure()) throw *recorder->failure();
 }
 
+void addReportStoreOption(CLI::App& command, std::string& store) {
+    command.add_option("--store", store, "result store (SQLite) that the report goes into");
+}
+
+ReportKeeper::ReportKeeper(const std::string& store, const Context& context) : m_context(context) {
+    if (!store.empty()) m_store.emplace(store);
+}
+
+void ReportKeeper::keep(store::Report report) const {
+    if (!m_store || m_context.exitStatus == static_cast<int>(ErrorKind::Interrupted)) return;
+    report.command = m_context.command;
+    (void)m_store->add(report);
+}
+
 void addViewOptions(CLI::App& command, RunOptions& options) {
     command.add_option(
         "--path", options.path,

@@ -4,7 +4,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
-#include "core/experiments/suite/judge.h"
+#include "core/experiments/reports.h"
 #include "core/experiments/suite/suite.h"
 #include "core/gpu/context.h"
 #include "core/visibility/facing.h"
@@ -16,12 +16,13 @@ constexpr Viewport kUsualSize{640, 480};
 
 struct JudgeOptions {
     SceneChoice scene;
-    std::string path, drawn, json, size, facing = "two-sided";
+    std::string path, drawn, json, size, facing = "two-sided", store;
 };
 
 void judge(const JudgeOptions& options, Context& context) {
     const std::optional<Viewport> asked = options.size.empty() ? std::nullopt : std::optional(sizeFromText(options.size));
-    checkOutputPlaces({options.json});
+    checkOutputPlaces({options.json}, options.store);
+    const ReportKeeper keeper(options.store, context);
     suite::JudgeRequest request;
     request.scene = openSceneForCommand(options.scene, context).scene;
     request.drawn = readDrawnSets(options.drawn, *request.scene);
@@ -39,6 +40,7 @@ void judge(const JudgeOptions& options, Context& context) {
     context.exitStatus = judgement.right() ? 0 : 1;
     if (!options.json.empty()) writeText(options.json, suite::judgementJson(judgement, request, gl.info()));
     printText(options.json == "-" ? stderr : stdout, suite::judgementText(judgement, request));
+    keeper.keep(reportOf(judgement, request, gl.info()));
 }
 
 void write(const std::string& folder, Context& context) {
@@ -65,6 +67,7 @@ void addJudgeCommand(CLI::App& app, Context& context) {
         ->check(CLI::IsMember({"two-sided", "front", "auto"}))
         ->capture_default_str();
     command->add_option("--json", options->json, "result file; - is standard output");
+    addReportStoreOption(*command, options->store);
     command->callback([options, &context] { judge(*options, context); });
 }
 

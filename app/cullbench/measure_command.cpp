@@ -120,7 +120,7 @@ void printFieldFigures(const MeasureResult& result, FILE* out) {
     line = fmt::format("{:<40}", "views that lose something");
     for (const RunMeasurement* run : runs) {
         const size_t views = run->frames.size(), losing = framesWithLoss(run->frames);
-        line += fmt::format(" {:>26}", losing == 0 ? fmt::format("0 (< 3/{})", views) : fmt::format("{} of {}", losing, views));
+        line += fmt::format(" {:>26}", losing == 0 ? noLossIn(views).english() : fmt::format("{} of {}", losing, views));
     }
     say(out, "{}\n", line);
 }
@@ -153,7 +153,8 @@ void printTable(const MeasureResult& result, FILE* out) {
         if (const std::string snapped = withinSnapping(run); !snapped.empty())
             say(out, "{}: {}\n", strategyLabel(run.strategy), snapped);
     for (const RunMeasurement& run : result.runs)
-        if (const auto reason = unserved(findStrategy(run.strategy.id).info, result.request.path.camera(0)))
+        if (const auto reason =
+                unserved(findStrategy(run.strategy.id).info, run.strategy.parameters, result.request.path.camera(0)))
             say(out, "{}\n", reason->english());
     if (const std::string note = withoutRepetitions(result); !note.empty()) say(out, "{}\n", note);
     for (const RunMeasurement& run : result.runs)

@@ -3,20 +3,21 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
-#include "core/experiments/stability/battery.h"
+#include "core/experiments/reports.h"
 #include "core/gpu/context.h"
 
 namespace cullscope::cullbench {
 namespace {
 
 struct StabilityOptions {
-    std::string which, json;
+    std::string which, json, store;
     bool everything = false;
 };
 
 void run(const StabilityOptions& options, Context& context) {
     const std::vector<const stability::StabilityCase*> cases = stability::casesNamed(options.which);
-    checkOutputPlaces({options.json});
+    checkOutputPlaces({options.json}, options.store);
+    const ReportKeeper keeper(options.store, context);
     const HeadlessContext gl;
     Renderer renderer;
     std::vector<stability::CaseResult> results;
@@ -35,6 +36,7 @@ void run(const StabilityOptions& options, Context& context) {
     if (context.exitStatus == 0 && !right) context.exitStatus = 1;
     if (!options.json.empty()) writeText(options.json, stability::batteryJson(results, gl.info()));
     printText(options.json == "-" ? stderr : stdout, stability::batteryText(results, options.everything || cases.size() == 1));
+    keeper.keep(reportOf(results, gl.info()));
 }
 
 }  // namespace
@@ -45,6 +47,7 @@ void addStabilityCommand(CLI::App& app, Context& context) {
     command->add_option("--case", options->which, "number or name of a case, as in 16 or 16-bowl (default: all)");
     command->add_flag("--all-findings", options->everything, "a line for each finding too");
     command->add_option("--json", options->json, "result file; - is standard output");
+    addReportStoreOption(*command, options->store);
     command->callback([options, &context] { run(*options, context); });
 }
 

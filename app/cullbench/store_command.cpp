@@ -11,6 +11,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
+#include "core/experiments/reports.h"
 #include "core/experiments/store/comparison.h"
 
 namespace cullscope::cullbench {
@@ -45,8 +46,12 @@ void list(const StoreOptions& options) {
         say("{:>6}  {:<24} {:<14} {:<22} {:<24} {:<14} {:>9}  {}\n", each.number, each.started, each.origin.experiment,
             stateOf(each), each.scene, each.path, fmt::format("{}x{}", each.size.width, each.size.height),
             joined(each.strategies));
-    for (const store::StoredCertificate& each : opened.certificates())
-        say("certificate {}  {}  {}\n", each.number, each.added, each.strategy);
+    const std::vector<store::StoredReport> reports = opened.reports(options.filter);
+    if (reports.empty()) return;
+    say("\n{:>6}  {:<24} {:<14} {:<24} {}\n", "report", "added (UTC)", "kind", "scene", "strategy");
+    for (const store::StoredReport& each : reports)
+        say("{:>6}  {:<24} {:<14} {:<24} {}\n", each.number, each.added, each.report.kind,
+            each.report.scene.empty() ? "-" : each.report.scene, each.report.strategy.empty() ? "-" : each.report.strategy);
 }
 
 std::string interval(const RatioEstimate& estimate) {
@@ -87,6 +92,16 @@ void show(const StoreOptions& options) {
     }
 }
 
+void showReport(const StoreOptions& options) {
+    checkOutputPlaces({options.json});
+    const store::StoredReport stored = store::ResultStore(options.file, store::Database::Access::Existing).report(options.number);
+    if (!options.json.empty()) writeText(options.json, stored.report.document);
+    std::FILE* const out = options.json == "-" ? stderr : stdout;
+    say(out, "report {}: {}, {}\n", stored.number, stored.report.kind, stored.added);
+    if (!stored.report.command.empty()) say(out, "{}\n", stored.report.command);
+    printText(out, stored.report.words.empty() ? stored.report.document : stored.report.words);
+}
+
 void compareSides(const StoreOptions& options) {
     const store::ResultStore opened(options.file, store::Database::Access::Existing);
     const std::vector<store::Compared> all = store::compared(opened, options.a, options.b);
@@ -112,7 +127,8 @@ void exportStored(const StoreOptions& options) {
     else
         for (const store::Listed& each : opened.list(options.filter)) all.push_back(opened.read(each.number));
     if (!options.json.empty())
-        writeText(options.json, options.number > 0 ? store::storedJson(all.front()) : store::storedJson(all));
+        writeText(options.json,
+                  options.number > 0 ? store::storedJson(all.front()) : store::storedJson(all, opened.reports(options.filter)));
     if (!options.csv.empty()) writeText(options.csv, store::storedCsv(all));
     if (!options.svg.empty()) {
         std::vector<LinePlot> plots;
@@ -122,7 +138,7 @@ void exportStored(const StoreOptions& options) {
 }
 
 void sayAdded(const store::Added& added, const std::string& file) {
-    say("{} {}: {}{}\n", added.isCertificate ? "certificate" : "measurement", added.number, file,
+    say("{} {}: {}{}\n", added.kind.empty() ? "measurement" : added.kind, added.number, file,
         added.isNew ? "" : " (it was there already)");
 }
 
@@ -145,7 +161,7 @@ void addFile(const store::ResultStore& opened, const std::string& file, const st
     constexpr size_t kFirstField = 40;
     if (text.substr(0, kFirstField).find("\"certificate\"") != std::string::npos) {
         for (const certify::Certificate& certificate : certify::readCertificates(file))
-            sayAdded(opened.addCertificate(certificate), file);
+            sayAdded(opened.add(reportOf(certificate)), file);
         return;
     }
     sayAdded(opened.addFile(text, file, {"measure", command}, timeOf(file)), file);
@@ -156,14 +172,15 @@ void add(const StoreOptions& options, const Context& context) {
     for (const std::string& file : options.files) addFile(opened, file, context.command);
 }
 
-CLI::Validator numberOfMeasurement() {
-    return {[](std::string& text) {
+/// Of a "measurement" or a "report".
+CLI::Validator numberInList(const std::string& what) {
+    return {[what](std::string& text) {
                 int64_t number = 0;
                 const char* const end = text.data() + text.size();
                 const auto [read, failure] = std::from_chars(text.data(), end, number);
                 return failure == std::errc() && read == end && number >= 1
                            ? std::string()
-                           : "\"" + text + "\" is no number of a measurement, as in 3 (cullbench store FILE list)";
+                           : "\"" + text + "\" is no number of a " + what + ", as in 3 (cullbench store FILE list)";
             },
             ""};
 }
@@ -199,27 +216,33 @@ void addStoreCommand(CLI::App& app, Context& context) {
     command->callback([command] {
         if (!command->get_subcommands().empty()) return;
         const std::vector<std::string> words = command->remaining();
-        if (words.empty()) throwUsage(CULLSCOPE_TR("Say what to do with the store: list, show, compare, export or add."));
-        throwUsage(CULLSCOPE_TR("\"%1\" is nothing that can be done with a store: list, show, compare, export, add."),
+        if (words.empty()) throwUsage(CULLSCOPE_TR("Say what to do with the store: list, show, report, compare, export or add."));
+        throwUsage(CULLSCOPE_TR("\"%1\" is nothing that can be done with a store: list, show, report, compare, export, add."),
                    {words.front()});
     });
 
-    CLI::App* lists = command->add_subcommand("list", "Its measurements and certificates");
+    CLI::App* lists = command->add_subcommand("list", "Its measurements and reports");
     addFilterOptions(*lists, options->filter);
     lists->callback([options] { list(*options); });
 
     CLI::App* shows = command->add_subcommand("show", "One measurement: where, how, and each strategy's figures");
-    shows->add_option("NUMBER", options->number, "of the measurement")->required()->check(numberOfMeasurement());
+    shows->add_option("NUMBER", options->number, "of the measurement")->required()->check(numberInList("measurement"));
     shows->callback([options] { show(*options); });
+
+    CLI::App* reports = command->add_subcommand("report", "One report: certificate, advice, worst view, battery or judgement");
+    reports->add_option("NUMBER", options->number, "of the report")->required()->check(numberInList("report"));
+    reports->add_option("--json", options->json, "its result file; - is standard output");
+    reports->callback([options] { showReport(*options); });
 
     CLI::App* compares = command->add_subcommand("compare", "How many times as fast B is as A, and what each one lost");
     compares->add_option("A", options->a, "measurement, as 3, or a strategy of it, as 3:frustum")->required();
     compares->add_option("B", options->b, "likewise")->required();
     compares->callback([options] { compareSides(*options); });
 
-    CLI::App* exports = command->add_subcommand("export", "Measurements as JSON and CSV, as measure writes them");
+    CLI::App* exports =
+        command->add_subcommand("export", "Measurements as JSON and CSV, as measure writes them; reports as JSON");
     exports->add_option("NUMBER", options->number, "of a measurement (default: all that the filter leaves)")
-        ->check(numberOfMeasurement());
+        ->check(numberInList("measurement"));
     addFilterOptions(*exports, options->filter);
     exports->add_option("--json", options->json, "result file; - is standard output");
     exports->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");

@@ -29,7 +29,14 @@ struct StudyLine {
 };
 
 /// Commands whose results go into a store.
-constexpr std::array<std::string_view, 4> kCommands{"measure", "sweep", "race", "certify"};
+constexpr std::array<std::string_view, 8> kCommands{"measure", "sweep",     "race",  "certify",
+                                                    "advise",  "stability", "worst", "judge"};
+
+std::string commands() {
+    std::string list;
+    for (const std::string_view command : kCommands) list.append(list.empty() ? "" : ", ").append(command);
+    return list;
+}
 
 /// Cut into words as a shell does: quotes, variables such as $HOME, patterns such as *.obj; no command is run for it.
 std::vector<std::string> wordsOf(const std::string& line, const std::string& place) {
@@ -61,7 +68,7 @@ std::vector<StudyLine> linesOf(const std::string& file) {
         StudyLine line{number, wordsOf(text, place)};
         if (!line.words.empty() && line.words.front() == "cullbench") line.words.erase(line.words.begin());
         if (line.words.empty() || std::ranges::find(kCommands, line.words.front()) == kCommands.end())
-            throwInput(CULLSCOPE_TR("%1: does not begin with one of the commands measure, sweep, race and certify."), {place});
+            throwInput(CULLSCOPE_TR("%1: does not begin with one of the commands %2."), {place, commands()});
         for (const std::string& word : line.words)
             if (word == "--store" || word.starts_with("--store="))
                 throwInput(CULLSCOPE_TR("%1: leave out --store, which is that of the study."), {place});
@@ -75,8 +82,10 @@ std::vector<StudyLine> linesOf(const std::string& file) {
 /// What the line measured is in the store as a whole. Certificates have state files of their own.
 bool isDone(const store::ResultStore& opened, const std::string& command) {
     const std::vector<store::Listed> all = opened.list();
+    const std::vector<store::StoredReport> reports = opened.reports();
     return std::ranges::any_of(
-        all, [&](const store::Listed& one) { return one.origin.command == command && one.ended && !one.interrupted; });
+               all, [&](const store::Listed& one) { return one.origin.command == command && one.ended && !one.interrupted; }) ||
+           std::ranges::any_of(reports, [&](const store::StoredReport& one) { return one.report.command == command; });
 }
 
 /// Measurements that a killed run of the line left unfinished: they would stand beside those that replace them.
@@ -143,8 +152,7 @@ void study(const StudyOptions& options, Context& context) {
 void addStudyCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("study", "Many commands, one after the other or on many machines, into one store");
     auto options = std::make_shared<StudyOptions>();
-    command->add_option("FILE", options->file, "text file: measure, sweep, race and certify with their options, one a line")
-        ->required();
+    command->add_option("FILE", options->file, "text file: " + commands() + " with their options, one a line")->required();
     command->add_option("--store", options->store, "result store (SQLite) that everything goes into")->required();
     command->add_option("--shard", options->shard, "I/N: the I-th of every N lines, from 1");
     command->callback([options, &context] { study(*options, context); });

@@ -1,7 +1,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/output.h"
 #include "core/base/error.h"
-#include "core/experiments/worst/worst_view.h"
+#include "core/experiments/reports.h"
 #include "core/gpu/context.h"
 #include "core/image/page.h"
 #include "core/image/picture_file.h"
@@ -13,7 +13,7 @@ namespace {
 struct WorstOptions {
     SceneChoice scene;
     std::vector<std::string> strategies, parameters;
-    std::string of = "missed", from, size = "320x240", json, svg, png;
+    std::string of = "missed", from, size = "320x240", json, svg, png, store;
     size_t views = 200;
     double distance = 3.0;
     int repeat = 3;
@@ -23,7 +23,7 @@ void checkPlaces(const WorstOptions& options) {
     const std::vector<std::string> files{options.json, options.svg, options.png};
     if (std::ranges::count(files, "-") > 1)
         throwUsage(CULLSCOPE_TR("Only one of --json, --svg and --png can go to standard output: name a file for the others."));
-    checkOutputPlaces(files);
+    checkOutputPlaces(files, options.store);
     if (!options.png.empty()) requirePictureFormat(options.png);
 }
 
@@ -38,6 +38,7 @@ void findWorst(const WorstOptions& options, Context& context) {
     request.distance = options.distance;
     request.repetitions = options.repeat;
     checkPlaces(options);
+    const ReportKeeper keeper(options.store, context);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     requireAvailable(request.strategy, gl.info());
@@ -55,6 +56,7 @@ void findWorst(const WorstOptions& options, Context& context) {
     const bool data = options.json == "-" || options.svg == "-" || options.png == "-";
     printText(data ? stderr : stdout, worstText(result));
     if (result.interrupted) context.exitStatus = static_cast<int>(ErrorKind::Interrupted);
+    keeper.keep(reportOf(result));
 }
 
 }  // namespace
@@ -82,6 +84,7 @@ void addWorstCommand(CLI::App& app, Context& context) {
     command->add_option("--json", options->json, "the views, the worst ones as a camera path; - is standard output");
     command->add_option("--svg", options->svg, "the map; - is standard output");
     command->add_option("--png", options->png, "the map as a picture");
+    addReportStoreOption(*command, options->store);
     command->callback([options, &context] { findWorst(*options, context); });
 }
 

@@ -236,7 +236,7 @@ PlotPoint TradePlot::place(const TradePoint& point) const {
 std::string TradePlot::zeroLabel(const TradeFigure& figure, const TradeLook& look) const {
     size_t views = 0;
     for (const TradePoint& point : m_points) views = std::max(views, point.views);
-    return figure.ofLoss && views > 0 ? wordsOf(look, {CULLSCOPE_TR("0 (< 3/%1)"), {std::to_string(views)}}) : std::string("0");
+    return figure.ofLoss && views > 0 ? wordsOf(look, noLossIn(views)) : std::string("0");
 }
 
 PlotAxis TradePlot::axis(const TradeFigure& figure, const TradeLook& look) const {

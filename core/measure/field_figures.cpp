@@ -6,7 +6,6 @@
 #include <iterator>
 #include <map>
 
-#include "core/base/message.h"
 #include "core/geometry/random.h"
 
 namespace cullscope {
@@ -253,6 +252,10 @@ FieldEstimates fieldEstimates(std::span<const FrameMeasurement> frames) {
         if (frame.accuracy->pixels > 0) most = std::max(most, errorPixels(frame) / double(frame.accuracy->pixels));
     estimates[PixelErrorsMost] = RatioEstimate{most, {most, most}, false};
     return estimates;
+}
+
+Message noLossIn(size_t views) {
+    return {boundSaysSomething(views) ? CULLSCOPE_TR("0 (< 3/%1)") : CULLSCOPE_TR("0 of %1"), {std::to_string(views)}};
 }
 
 size_t framesWithLoss(std::span<const FrameMeasurement> frames) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/measure/frame_measurement.h"
 
 namespace cullscope {
@@ -32,6 +33,11 @@ using FieldEstimates = std::vector<std::optional<RatioEstimate>>;
 /// Counts what the figures need of one picture: objects, pixels and the outline. `given`: the triangles that were drawn.
 void countForFieldFigures(Accuracy& accuracy, const Reference& reference, const ShownPixels& shown,
                           const TriangleIntervals& given, const Scene& scene);
+
+/// "0 (< 3/n)" of a rate: in n views there was no loss, so that it is below 3/n with 95 % confidence (the rule of three). Of up
+/// to three views that says nothing (boundSaysSomething): "0 of n".
+[[nodiscard]] Message noLossIn(size_t views);
+[[nodiscard]] constexpr bool boundSaysSomething(size_t views) { return views > 3; }
 
 /// How many frames lost a pixel.
 [[nodiscard]] size_t framesWithLoss(std::span<const FrameMeasurement> frames);

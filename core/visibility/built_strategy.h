@@ -26,7 +26,9 @@ public:
         return m_strategy->promiseAt(*m_structure, m_parameters, m_facing, view);
     }
     /// Why it draws everything in the views of a camera; none where it decides.
-    [[nodiscard]] std::optional<Message> unserved(const Camera& camera) const { return cullscope::unserved(m_info, camera); }
+    [[nodiscard]] std::optional<Message> unserved(const Camera& camera) const {
+        return cullscope::unserved(m_info, m_parameters, camera);
+    }
     [[nodiscard]] Facing facing() const { return m_facing; }
     [[nodiscard]] Facing referenceFacing() const { return m_referenceFacing; }
 

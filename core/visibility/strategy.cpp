@@ -45,7 +45,10 @@ void requireAvailable(const StrategyInfo& info, const GlInfo& gl) {
     if (const std::optional<Message> why = unavailable(info, gl)) throwOpenGl(why->text, why->arguments);
 }
 
-std::optional<Message> unserved(const StrategyInfo& info, const Camera& camera) {
+std::optional<Message> unserved(const StrategyInfo& info, const ParameterSet& parameters, const Camera& camera) {
+    if (!info.decidesByFile.empty() && parameters.choice(info.decidesByFile).empty())
+        return Message{CULLSCOPE_TR("%1 decides by a file: choose one as its parameter %2. Until then every triangle is drawn."),
+                       {info.id, info.decidesByFile}};
     if (!info.needsEyePoint || camera.projection == ProjectionKind::Perspective) return std::nullopt;
     return Message{CULLSCOPE_TR("%1 needs the place of an eye, and a parallel view has none: every triangle is drawn."),
                    {info.id}};

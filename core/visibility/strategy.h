@@ -77,6 +77,8 @@ struct StrategyInfo {
     std::string withoutProfile{};
     /// Its method asks where the eye is: a parallel view has none, so it decides nothing there and draws everything (unserved).
     bool needsEyePoint = false;
+    /// The file parameter by whose content it decides: without a name there it draws everything (unserved). Empty: none.
+    std::string decidesByFile{};
 
     /// The show with this id; null where the strategy declares none.
     [[nodiscard]] const Show* show(std::string_view showId) const;
@@ -89,8 +91,9 @@ struct StrategyInfo {
 /// Throws Error(OpenGl) with that reason.
 void requireAvailable(const StrategyInfo& info, const GlInfo& gl);
 
-/// Why a strategy decides nothing in the views of a camera and draws every triangle there; none where it serves them.
-[[nodiscard]] std::optional<Message> unserved(const StrategyInfo& info, const Camera& camera);
+/// Why a strategy decides nothing with these parameters in the views of a camera and draws every triangle there; none where it
+/// serves them.
+[[nodiscard]] std::optional<Message> unserved(const StrategyInfo& info, const ParameterSet& parameters, const Camera& camera);
 
 /// Size and build time of a strategy's structures, for `cullbench inspect` and result files.
 struct StructureReport {

@@ -6136,10 +6136,6 @@
         <translation>파일의 자세 %1의 카메라가 가장 가깝습니다. 그 집합을 그립니다.</translation>
     </message>
     <message>
-        <source>No file is named: everything is drawn.</source>
-        <translation>지정된 파일이 없습니다. 모두 그립니다.</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>기록</translation>
     </message>
@@ -7906,6 +7902,26 @@
     <message>
         <source>Lengths in %1 are taken for metres: only units of the SI are converted.</source>
         <translation>%1 단위의 길이를 미터로 봅니다. SI 단위만 변환됩니다.</translation>
+    </message>
+    <message>
+        <source>It lost nothing in %1 views.</source>
+        <translation>시점 %1개에서 잃은 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has no report %2: list them with cullbench store %1 list.</source>
+        <translation>%1에는 보고서 %2이(가) 없습니다: cullbench store %1 list로 목록을 보십시오.</translation>
+    </message>
+    <message>
+        <source>%1 lost nothing in %2 views.</source>
+        <translation>%1은(는) 시점 %2개에서 잃은 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>0 of %1</source>
+        <translation>%1 중 0</translation>
+    </message>
+    <message>
+        <source>%1 decides by a file: choose one as its parameter %2. Until then every triangle is drawn.</source>
+        <translation>%1은(는) 파일에 따라 결정합니다: 매개변수 %2에서 파일을 고르십시오. 그때까지는 모든 삼각형을 그립니다.</translation>
     </message>
 </context>
 <context>
@@ -10024,6 +10040,73 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::ReportsDialog</name>
+    <message>
+        <source>Certificate</source>
+        <translation>인증서</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>조언</translation>
+    </message>
+    <message>
+        <source>Worst view</source>
+        <translation>최악의 시점</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>극단 사례 모음</translation>
+    </message>
+    <message>
+        <source>Judgement</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>내보내기…</translation>
+    </message>
+    <message>
+        <source>Kept reports</source>
+        <translation>보관된 보고서</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>번호</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>때</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>종류</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>What the report says</source>
+        <translation>보고서의 내용</translation>
+    </message>
+    <message>
+        <source>What Advice, Worst view and Stability find is kept here, beside the experiments of the statistics&apos; history.</source>
+        <translation>조언, 최악의 시점, 안정성이 찾아낸 것이 통계의 기록에 있는 실험과 나란히 여기에 보관됩니다.</translation>
+    </message>
+    <message>
+        <source>The chosen report as JSON</source>
+        <translation>고른 보고서를 JSON으로</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ReproduceDialog</name>
     <message>
         <source>&amp;Start</source>
@@ -12034,6 +12117,14 @@ sides [95 %]</source>
     <message>
         <source>Search for the view in which the active view&apos;s strategy loses most or gains least</source>
         <translation>활성 뷰의 전략이 가장 많이 잃거나 가장 적게 얻는 시점을 찾습니다</translation>
+    </message>
+    <message>
+        <source>&amp;Kept reports…</source>
+        <translation>보관된 보고서(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>The advice, worst views, runs of the battery and certificates of the result store</source>
+        <translation>결과 저장소에 있는 조언, 최악의 시점, 극단 사례 모음의 실행, 인증서</translation>
     </message>
 </context>
 <context>

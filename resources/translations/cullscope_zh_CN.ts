@@ -6136,10 +6136,6 @@
         <translation>文件中姿态 %1 的相机最近：绘制它的集合。</translation>
     </message>
     <message>
-        <source>No file is named: everything is drawn.</source>
-        <translation>未指定文件：绘制全部。</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>记录</translation>
     </message>
@@ -7906,6 +7902,26 @@
     <message>
         <source>Lengths in %1 are taken for metres: only units of the SI are converted.</source>
         <translation>以 %1 为单位的长度按米处理：只转换国际单位制单位。</translation>
+    </message>
+    <message>
+        <source>It lost nothing in %1 views.</source>
+        <translation>它在 %1 个视图中没有丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>%1 has no report %2: list them with cullbench store %1 list.</source>
+        <translation>%1 没有报告 %2：请用 cullbench store %1 list 列出。</translation>
+    </message>
+    <message>
+        <source>%1 lost nothing in %2 views.</source>
+        <translation>%1 在 %2 个视图中没有丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>0 of %1</source>
+        <translation>%1 中的 0</translation>
+    </message>
+    <message>
+        <source>%1 decides by a file: choose one as its parameter %2. Until then every triangle is drawn.</source>
+        <translation>%1 根据文件作决定：请在其参数 %2 中选择文件。在此之前绘制所有三角形。</translation>
     </message>
 </context>
 <context>
@@ -10024,6 +10040,73 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::ReportsDialog</name>
+    <message>
+        <source>Certificate</source>
+        <translation>证书</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>Worst view</source>
+        <translation>最差视图</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>极端案例集</translation>
+    </message>
+    <message>
+        <source>Judgement</source>
+        <translation>评判</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Kept reports</source>
+        <translation>保存的报告</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>种类</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>What the report says</source>
+        <translation>报告的内容</translation>
+    </message>
+    <message>
+        <source>What Advice, Worst view and Stability find is kept here, beside the experiments of the statistics&apos; history.</source>
+        <translation>“建议”“最差视图”和“稳定性”的结果保存在这里，与统计历史中的实验放在一起。</translation>
+    </message>
+    <message>
+        <source>The chosen report as JSON</source>
+        <translation>将所选报告保存为 JSON</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ReproduceDialog</name>
     <message>
         <source>&amp;Start</source>
@@ -12034,6 +12117,14 @@ sides [95 %]</source>
     <message>
         <source>Search for the view in which the active view&apos;s strategy loses most or gains least</source>
         <translation>搜索活动视图的策略丢失最多或收益最小的视图</translation>
+    </message>
+    <message>
+        <source>&amp;Kept reports…</source>
+        <translation>保存的报告(&amp;K)…</translation>
+    </message>
+    <message>
+        <source>The advice, worst views, runs of the battery and certificates of the result store</source>
+        <translation>结果存储中的建议、最差视图、极端案例集的运行和证书</translation>
     </message>
 </context>
 <context>

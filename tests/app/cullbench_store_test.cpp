@@ -91,7 +91,7 @@ TEST_F(CullbenchContract, storeGivesBackTheFilesThatMeasureWrote) {
     EXPECT_THAT(cullbench({"store", results, "list", "--until", "2020"}).out, testing::Not(HasSubstr("spherical")));
     EXPECT_THAT(cullbench({"store", results, "show", "1"}).out, HasSubstr("cullbench measure star:seed=7,triangles=500"));
     expectRefusal(cullbench({"store", results, "show", "2"}), 2, "no measurement 2");
-    expectRefusal(cullbench({"store", file("none"), "list"}), 2, "none");
+    expectRefusal(cullbench({"store", file("none"), "list"}), 3, "none");
     std::ofstream(file("other")) << "words";
     expectRefusal(cullbench({"store", file("other"), "list"}), 3, "no result store");
 }
@@ -201,6 +201,42 @@ TEST_F(CullbenchContract, resultFilesAndCertificatesAreAddedToAStore) {
     expectRefusal(cullbench({"store", file("results"), "add", file("t.json")}), 3, "no result file");
 }
 
+TEST_F(CullbenchContract, reportOfEveryKindGoesIntoAStore) {
+    const std::string results = file("results"), drawn = file("drawn.json");
+    std::ofstream(file("one.obj")) << "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+    std::ofstream(drawn) << R"({"fovy_deg": 45, "near": 0.1, "far": 10,
+        "poses": [{"eye": [0, 0, 3], "target": [0, 0, 0], "up": [0, 1, 0], "objects": []}]})";
+    const std::vector<std::vector<std::string>> commands{
+        {"advise", "sphere:triangles=200", "--path", "fibonacci:1", "--size", "64x48"},
+        {"worst", "sphere:triangles=200", "-s", "spherical", "--views", "8", "--size", "64x48"},
+        {"stability", "--case", "1"},
+        {"judge", file("one.obj"), "--drawn", drawn, "--size", "64x48"},
+        {"certify", "frustum", "--views", "50"}};
+    const std::vector<std::string> kinds{store::kAdvice, store::kWorstView, store::kBattery, store::kJudgement,
+                                         store::kCertificate};
+    for (size_t i = 0; i < commands.size(); ++i) {
+        std::vector<std::string> words = commands[i];
+        words.insert(words.end(), {"--json", file("r.json"), "--store", results});
+        const ProcessResult result = cullbench(words);
+        ASSERT_LE(result.exitStatus, 1) << result.err;
+        const store::StoredReport stored = ResultStore(results, kExisting).report(int64_t(i) + 1);
+        EXPECT_EQ(stored.report.kind, kinds[i]);
+        EXPECT_EQ(json::parse(stored.report.document), json::parse(contents(file("r.json"))));
+        const ProcessResult shown = cullbench({"store", results, "report", std::to_string(i + 1), "--json", file("s.json")});
+        EXPECT_THAT(shown.out, testing::AllOf(HasSubstr(kinds[i]), HasSubstr(" " + words.front() + " "), HasSubstr(result.out)));
+        EXPECT_EQ(json::parse(contents(file("s.json"))), json::parse(contents(file("r.json"))));
+    }
+    EXPECT_THAT(cullbench({"store", results, "list", "-s", "spherical"}).out,
+                testing::AllOf(HasSubstr(store::kWorstView), testing::Not(HasSubstr(store::kJudgement))));
+    EXPECT_EQ(json::parse(cullbench({"store", results, "export", "--json", "-"}).out)["reports"].size(), kinds.size());
+    expectRefusal(cullbench({"store", results, "report", "9"}), 2, "has no report 9");
+    expectRefusal(cullbench({"worst", "sphere", "-s", "all", "--json", results, "--store", results}), 2, "is a result store");
+    // Brought together with itself nothing is there twice; the same answer of another day is another one.
+    EXPECT_THAT(cullbench({"store", results, "add", results}).out, HasSubstr("already"));
+    ASSERT_EQ(cullbench({"stability", "--case", "1", "--store", results}).exitStatus, 0);
+    EXPECT_EQ(ResultStore(results, kExisting).reports().size(), kinds.size() + 1);
+}
+
 TEST_F(CullbenchContract, resultFileNeverReplacesAStoreOrAnotherResultFile) {
     const std::string results = file("results");
     ASSERT_EQ(measureInto(results).exitStatus, 0);
@@ -217,7 +253,9 @@ TEST_F(CullbenchContract, resultFileNeverReplacesAStoreOrAnotherResultFile) {
 TEST_F(CullbenchContract, wrongWordsForAStoreAreNamed) {
     const std::string results = file("results");
     ASSERT_EQ(measureInto(results).exitStatus, 0);
-    expectRefusal(cullbench({"store", results}), 2, "list, show, compare, export or add");
+    expectRefusal(cullbench({"store", file("nowhere"), "list"}), 3, "cannot be opened");
+    EXPECT_FALSE(std::filesystem::exists(file("nowhere")));
+    expectRefusal(cullbench({"store", results}), 2, "list, show, report, compare, export or add");
     expectRefusal(cullbench({"store", results, "frobnicate"}), 2, "\"frobnicate\"");
     expectRefusal(cullbench({"store", results, "show", "-1"}), 2, "no number of a measurement");
     expectRefusal(cullbench({"store", results, "show", "x"}), 2, "no number of a measurement");
@@ -247,16 +285,33 @@ INSERT INTO frame VALUES (1, 0, 0, '{"pose":0,"frame_ms":2.0,"cull_ms":0.0,"repe
 PRAGMA application_id = 1131768940; PRAGMA user_version = 1;
 )";
 
+constexpr const char* kSecondAndThirdLayout = R"(
+ALTER TABLE run ADD COLUMN figures TEXT;
+CREATE INDEX measurement_by_time ON measurement (started);
+CREATE TABLE certificate (number INTEGER PRIMARY KEY AUTOINCREMENT, added TEXT NOT NULL, strategy TEXT NOT NULL,
+    document TEXT NOT NULL);
+ALTER TABLE frame ADD COLUMN judged TEXT;
+INSERT INTO certificate VALUES (7, '2026-11-25T17:00:00.000Z', 'frustum', '{"views":50}');
+PRAGMA user_version = 3;
+)";
+
 TEST_F(CullbenchContract, olderStoreIsMigratedAndNewerOneRefused) {
     const std::string results = file("results");
     store::Database(results, store::Database::Access::Write).run(kFirstLayout);
     EXPECT_THAT(cullbench({"store", results, "show", "1"}).out, testing::AllOf(HasSubstr("kept"), HasSubstr("500.00")));
     EXPECT_EQ(measureInto(results).exitStatus, 0) << "it is written to as a new one";
     EXPECT_EQ(wholePoses(results), std::vector<uint64_t>({1, 3}));
+    const std::string third = file("third");
+    store::Database(third, store::Database::Access::Write).run((std::string(kFirstLayout) + kSecondAndThirdLayout).c_str());
+    EXPECT_THAT(cullbench({"store", third, "list"}).out, HasSubstr("kept"));
+    const ResultStore opened(third, kExisting);
+    ASSERT_EQ(opened.reports().size(), 1u) << "certificates are reports now";
+    EXPECT_EQ(opened.report(7).report.strategy, "frustum");
+    EXPECT_THAT(cullbench({"store", third, "report", "7"}).out, testing::AllOf(HasSubstr("certificate"), HasSubstr("2026")));
     store::Database(results, store::Database::Access::Write).run("PRAGMA user_version = 99");
     expectRefusal(cullbench({"store", results, "list"}), 3, "newer version");
     expectRefusal(measureInto(results), 3, "newer version");
-    store::Database(results, store::Database::Access::Write).run("PRAGMA user_version = 3; PRAGMA application_id = 7");
+    store::Database(results, store::Database::Access::Write).run("PRAGMA user_version = 4; PRAGMA application_id = 7");
     expectRefusal(cullbench({"store", results, "list"}), 3, "no result store");
 }
 

@@ -59,12 +59,13 @@ for ((task = 1; task <= tasks; ++task)); do
 done
 echo 17
 )";
-    static constexpr const char* kLines = R"(# Three scenes and a certificate.
+    static constexpr const char* kLines = R"(# Three scenes, a certificate and a case of the battery.
 measure teapot:triangles=500 -s all,frustum --path fibonacci:2 --size 64x48 --repeat 1
 
 sweep 'star:seed=7,triangles=500' -s spherical --vary rows=45,90 --path fibonacci:2 --size 64x48 --repeat 1
 cullbench race torus:triangles=500 -s all,backface --path fibonacci:2 --size 64x48 --repeat 1
 certify frustum --views 50
+stability --case 1
 )";
 };
 
@@ -76,7 +77,7 @@ TEST_F(Study, partsAreBroughtTogetherInOneStore) {
     }
     const ProcessResult added = cullbench({"store", file("all"), "add", file("part-1"), file("part-2")});
     EXPECT_EQ(added.exitStatus, 0) << added.err;
-    EXPECT_THAT(added.out, AllOf(HasSubstr("measurement 3"), HasSubstr("certificate 1"), Not(HasSubstr("already"))));
+    EXPECT_THAT(added.out, AllOf(HasSubstr("measurement 3"), HasSubstr("battery 1"), HasSubstr("certificate 2"), Not(HasSubstr("already"))));
     const ResultStore all(file("all"), kExisting);
     std::vector<std::string> experiments;
     for (const store::Listed& one : all.list()) experiments.push_back(one.origin.experiment);
@@ -90,9 +91,9 @@ TEST_F(Study, partsAreBroughtTogetherInOneStore) {
     // What is there is not added twice, nor is it measured twice.
     EXPECT_THAT(cullbench({"store", file("all"), "add", file("part-1"), file("all")}).out, HasSubstr("already"));
     const ProcessResult again = cullbench({"study", file("study.txt"), "--store", file("part-1"), "--shard", "1/2"});
-    EXPECT_THAT(again.err, AllOf(HasSubstr("line 2 is done"), HasSubstr("line 5 is done")));
+    EXPECT_THAT(again.err, AllOf(HasSubstr("line 2 is done"), HasSubstr("line 5 is done"), HasSubstr("line 7 is done")));
     EXPECT_EQ(all.list().size(), 3u);
-    EXPECT_EQ(all.certificates().size(), 1u);
+    EXPECT_EQ(all.reports().size(), 2u);
 }
 
 TEST_F(Study, unfinishedLineIsMeasuredAnewAndTheOthersAreNot) {
@@ -138,7 +139,7 @@ TEST_F(Study, certificateOfASlurmArrayIsMerged) {
     EXPECT_TRUE(merged["complete"]);
     EXPECT_EQ(merged["views"], 600);
     EXPECT_EQ(merged["lost_views"], 0);
-    EXPECT_EQ(ResultStore(file("study/results.store"), kExisting).certificates().size(), 1u) << "submitted twice";
+    EXPECT_EQ(ResultStore(file("study/results.store"), kExisting).reports().size(), 1u) << "submitted twice";
     EXPECT_EQ(slurm({CULLBENCH, file("study"), "frustum", "many", "3"}).exitStatus, 2);
     EXPECT_EQ(slurm({CULLBENCH, file("study"), "nosuch", "600", "3"}).exitStatus, 2);
     EXPECT_EQ(slurm({}).exitStatus, 2);
@@ -148,7 +149,7 @@ TEST_F(Study, linesOfASlurmArrayComeIntoOneStore) {
     const ProcessResult result = slurm({CULLBENCH, file("results of it"), "study", file("study.txt"), "3"});
     EXPECT_EQ(result.exitStatus, 0) << result.err;
     const ResultStore all(file("results of it/results.store"), kExisting);
-    EXPECT_EQ(all.certificates().size(), 1u);
+    EXPECT_EQ(all.reports().size(), 2u);
     ASSERT_EQ(all.list().size(), 3u);
     for (const store::Listed& one : all.list()) EXPECT_FALSE(one.interrupted) << one.origin.command;
     EXPECT_EQ(slurm({CULLBENCH, file("results of it"), "study", file("nosuch.txt"), "3"}).exitStatus, 2);

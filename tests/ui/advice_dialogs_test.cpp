@@ -1,13 +1,16 @@
 // The dialogs of advice and of the worst view, the axes of the Pareto plot, and the table of a race.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "core/experiments/trade_plot.h"
 #include "tests/ui/made_up_result.h"
 #include "tests/ui/test_scene.h"
 #include "ui/dialogs/advise_dialog.h"
+#include "ui/dialogs/reports_dialog.h"
 #include "ui/dialogs/worst_dialog.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/statistics_panel.h"
@@ -46,6 +49,14 @@ TEST_F(AdviceDialogs, adviceAnswersFirstAndShowsAStrategyInTheActiveView) {
     EXPECT_TRUE(dialog->answer().text().contains(QStringLiteral("best here"))) << dialog->answer().text().toStdString();
     EXPECT_EQ(dialog->table().rowCount(), int(advice::candidates().size()) + 1);
     EXPECT_FALSE(dialog->plot().empty());
+    // It is in the store, too.
+    window.actions().reports->trigger();
+    auto* reports = window.findChild<ReportsDialog*>();
+    ASSERT_NE(reports, nullptr);
+    ASSERT_GT(reports->table().rowCount(), 0);
+    EXPECT_EQ(reports->table().item(0, 2)->text(), QStringLiteral("Advice")) << "the newest first";
+    EXPECT_TRUE(reports->words().toPlainText().contains(QStringLiteral("best here")));
+    reports->close();
     // Any row may be looked at, not only the advised one.
     int row = 0;
     while (row < dialog->table().rowCount() && dialog->table().item(row, 0)->text() != QStringLiteral("frustum-octree")) ++row;
@@ -78,6 +89,13 @@ TEST_F(AdviceDialogs, aClickOnTheMapOfTheWorstViewFliesThere) {
     ASSERT_TRUE(ended.wait(kPatience));
     ASSERT_TRUE(dialog->result());
     EXPECT_EQ(dialog->result()->views.size(), 72U);
+    ReportsDialog reports(session);
+    EXPECT_EQ(reports.table().item(0, 2)->text(), QStringLiteral("Worst view"));
+    QTemporaryDir folder;
+    reports.save(folder.filePath(QStringLiteral("worst.json")));
+    QFile saved(folder.filePath(QStringLiteral("worst.json")));
+    ASSERT_TRUE(saved.open(QFile::ReadOnly));
+    EXPECT_EQ(saved.readAll().toStdString(), worst::worstJson(*dialog->result()));
     ASSERT_TRUE(QTest::qWaitFor([&] { return dialog->map().isVisible() && dialog->map().height() > 100; }, kPatience));
     const PlotDrawing drawn = dialog->map().drawing();
     // The part of azimuth 15 and elevation 15 degrees.

@@ -12,6 +12,7 @@
 #include "core/experiments/experiment_list.h"
 #include "core/measure/statistics.h"
 #include "tests/ui/test_scene.h"
+#include "ui/statistics/history_store.h"
 #include "ui/window/main_window.h"
 
 namespace cullscope::ui::reproduce_dialog_test {
@@ -176,6 +177,7 @@ TEST_F(Reproduce, everyPlotHasATabOfItsOwn) {
 
 TEST_F(Reproduce, plotShowsPointsBeforeTheEndAndCancelGivesTheSessionBack) {
     const SessionState before = captureState(session);
+    const size_t stored = store::ResultStore(historyStore()).list().size();
     dialog().choice().setCurrentIndex(indexOf("vfc-40-views"));
     EXPECT_TRUE(dialog().plot().plot().lines.empty());
     int shown = 0;
@@ -200,6 +202,12 @@ TEST_F(Reproduce, plotShowsPointsBeforeTheEndAndCancelGivesTheSessionBack) {
     EXPECT_EQ(captureState(session), before);
     EXPECT_TRUE(dialog().exportButton().isEnabled());
     expectDialogIsOnTheScreen();
+    // The views that were measured until then are in the store.
+    const std::vector<store::Listed> list = store::ResultStore(historyStore()).list();
+    ASSERT_EQ(list.size(), stored + 1);
+    EXPECT_EQ(list.back().origin.experiment, "vfc-40-views");
+    EXPECT_TRUE(list.back().interrupted);
+    EXPECT_GT(list.back().measured, 0U);
 
     const QTemporaryDir folder;
     const QString svg = folder.filePath(QStringLiteral("plot.svg")), pdf = folder.filePath(QStringLiteral("plot.pdf"));

@@ -11,7 +11,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/experiments/reports.h"
+#include "core/measure/field_figures.h"
 #include "ui/plots/plot_file.h"
+#include "ui/statistics/history_store.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -56,8 +59,7 @@ std::vector<RunFigures> pointsOf(const advice::Advice& advice) {
 QString missedWords(const advice::AdvisedStrategy& strategy) {
     const std::optional<double> rate = strategy.missedRate();
     if (!rate) return QStringLiteral("–");
-    return *rate > 0.0 ? significantText(*rate * kPerMillion)
-                       : translated(Message{CULLSCOPE_TR("0 (< 3/%1)"), {std::to_string(strategy.judgedViews)}});
+    return *rate > 0.0 ? significantText(*rate * kPerMillion) : translated(noLossIn(strategy.judgedViews));
 }
 
 std::array<QString, AdviceColumns> cellsOf(const advice::AdvisedStrategy& strategy) {
@@ -195,6 +197,7 @@ void AdviseDialog::start() {
         request.path = cameraPath(path, *request.scene, {nullptr, progress.stop});
         return [this, advice = advice::advise(request, progress)] {
             if (advice.best) setAdvice(advice);
+            if (!advice.interrupted) keepReport(m_session, reportOf(advice));
         };
     });
 }

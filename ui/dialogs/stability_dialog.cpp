@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <array>
 
+#include "core/experiments/reports.h"
 #include "core/gpu/context.h"
+#include "ui/statistics/history_store.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -116,7 +118,7 @@ void StabilityDialog::start(const std::vector<const stability::StabilityCase*>& 
             stability::CaseResult result = stability::runCase({renderer, gl, {nullptr, progress.stop}}, *which);
             whileRunning([this, result = std::move(result)] { showResult(result); });
         }
-        return {};
+        return [this, gl] { keepReport(m_session, reportOf(m_results, gl)); };
     });
 }
 

@@ -6,8 +6,10 @@
 #include <QScreen>
 #include <QVBoxLayout>
 
+#include "core/experiments/reports.h"
 #include "core/scene/tour.h"
 #include "ui/plots/plot_file.h"
+#include "ui/statistics/history_store.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -110,6 +112,7 @@ void WorstDialog::start() {
     run([this, request](const Progress& progress) -> Result {
         return [this, result = worst::worstView(request, progress)] {
             if (!result.views.empty()) m_result = result;
+            if (!result.interrupted) keepReport(m_session, reportOf(result));
         };
     });
 }

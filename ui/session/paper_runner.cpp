@@ -56,6 +56,8 @@ void PaperRunner::start(const Experiment& experiment, int repetitions) {
     m_pickBefore = m_session.pick();
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
+    m_recorder = m_makeRecorder ? m_makeRecorder() : nullptr;
+    if (m_recorder) m_recorder->setExperiment(experiment.id);
     emit tableChanged();
     m_background.start(
         [this, number = ++m_run, kept = m_experiment, options = ExperimentOptions{m_session.sceneSource(), repetitions}](
@@ -172,7 +174,7 @@ void PaperRunner::measure(const MeasureRequest& request, const Progress& progres
     m_resultDue = true;
     m_measuring = progress;
     m_measured = std::move(measured);
-    m_runner.start(request, m_session.buffers(request.upload));
+    m_runner.start(request, m_session.buffers(request.upload), m_recorder);
 }
 
 void PaperRunner::showPose(double share) {
@@ -195,6 +197,7 @@ void PaperRunner::end() {
     m_experiment = nullptr;
     m_runner.leaveStructures();
     restoreSession();
+    if (m_recorder && m_recorder->failure()) m_session.raise(Severity::Warning, m_recorder->failure()->message());
     m_session.setMeasuring(true);
     emit ended();
 }

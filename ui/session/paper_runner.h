@@ -24,6 +24,8 @@ class PaperRunner : public QObject {
 public:
     explicit PaperRunner(Session& session, QObject* parent = nullptr);
 
+    /// What makes a recorder for each run, which puts its measurements into a store; null: none is made.
+    void recordBy(std::function<std::shared_ptr<store::Recorder>()> make) { m_makeRecorder = std::move(make); }
     /// Starts a run. `repetitions` of each frame; 0: until the median is steady.
     void start(const Experiment& experiment, int repetitions = 0);
     /// Stops the run when the current frame is done; the results so far stay in the table.
@@ -71,7 +73,9 @@ private:
     size_t m_setting = 0;                            ///< the one that is shown
     double m_share = 0.0;
     ResultTable m_table;
-    CameraPath m_path;                                  ///< path of the setting being measured
+    CameraPath m_path;  ///< path of the setting being measured
+    std::function<std::shared_ptr<store::Recorder>()> m_makeRecorder;
+    std::shared_ptr<store::Recorder> m_recorder;        ///< of the newest run
     Progress m_measuring;                               ///< of the setting being measured
     bool m_resultDue = false;                           ///< a setting is being measured, or its rows are being made
     bool m_showing = false;                             ///< this object itself is changing the session's scene

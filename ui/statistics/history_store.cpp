@@ -60,6 +60,14 @@ std::filesystem::path historyStore() {
     return (QFileInfo(QSettings().fileName()).absolutePath() + QStringLiteral("/experiments.store")).toStdString();
 }
 
+void keepReport(Session& session, const store::Report& report) {
+    try {
+        (void)store::ResultStore(historyStore()).add(report);
+    } catch (const Error& failure) {
+        session.raise(Severity::Warning, failure.message());
+    }
+}
+
 void takeOldHistory(const std::filesystem::path& json, const store::ResultStore& into) {
     std::error_code failure;
     if (!std::filesystem::exists(json, failure)) return;

@@ -184,7 +184,7 @@ QString ResultTableModel::rowExplanation(const ResultRow& row, int column) {
 QString ResultTableModel::missedRateText(const ResultRow& row) {
     if (!row.missedPpm) return {};
     if (*row.missedPpm > 0.0 || row.views == 0) return significantText(*row.missedPpm);
-    return translated(Message{CULLSCOPE_TR("0 (< 3/%1)"), {std::to_string(row.views)}});
+    return translated(noLossIn(row.views));
 }
 
 QString ResultTableModel::value(const ResultRow& row, int column) {

@@ -102,8 +102,8 @@ QString ViewPane::chipText() const {
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
     if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");
-    if (const auto reason =
-            unserved(findStrategy(m_session.slot(m_session.culledBy(m_view)).id()).info, m_session.cullingCamera(m_view)))
+    const StrategySlot& slot = m_session.slot(m_session.culledBy(m_view));
+    if (const auto reason = unserved(findStrategy(slot.id()).info, slot.parameters(), m_session.cullingCamera(m_view)))
         parts << translated(*reason);
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (shown && shown->request.coarse)

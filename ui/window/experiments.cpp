@@ -13,7 +13,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr size_t kMostShown = 50;  // experiments; the store keeps all
+constexpr size_t kMostShown = 200;  // experiments; the store keeps all
 
 }  // namespace
 

@@ -24,6 +24,10 @@ public:
     /// Offers a recorded camera path for experiments; none withdraws it.
     void setRecordedPath(const std::optional<CameraPath>& path);
     [[nodiscard]] SceneExperiment& runner() { return *m_runner; }
+    /// Reads the history anew from the store and shows it; what cannot be read is said.
+    void readHistory();
+    /// A recorder into the store; null where that cannot be opened, which is said.
+    [[nodiscard]] std::shared_ptr<store::Recorder> recorder();
     /// Shows a strategy with its parameters in the active view, or in the one that it observes.
     void showStrategy(const StrategyRequest& strategy);
 
@@ -33,10 +37,6 @@ private:
     /// The strategies of the shown views, each once.
     [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
-    /// Reads the history anew from the store and shows it; what cannot be read is said.
-    void readHistory();
-    /// A recorder into the store; null where that cannot be opened, which is said.
-    [[nodiscard]] std::shared_ptr<store::Recorder> recorder();
     void compare(qint64 a, qint64 b, QWidget* parent);
     void exportPast(const std::vector<qint64>& numbers, const QString& path);
     void show(const ResultTable& table, const MeasureResult& result);

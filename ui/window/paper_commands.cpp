@@ -4,6 +4,7 @@
 
 #include "ui/dialogs/advise_dialog.h"
 #include "ui/dialogs/figures_dialog.h"
+#include "ui/dialogs/reports_dialog.h"
 #include "ui/dialogs/reproduce_dialog.h"
 #include "ui/dialogs/stability_dialog.h"
 #include "ui/dialogs/worst_dialog.h"
@@ -18,54 +19,33 @@ PaperCommands::PaperCommands(Session& session, WindowActions& actions, Experimen
       m_window(window),
       m_runner(new PaperRunner(session, this)) {
     connect(actions.reproduce, &QAction::triggered, this, &PaperCommands::showDialog);
-    connect(actions.figures, &QAction::triggered, this, &PaperCommands::showFigures);
-    connect(actions.stability, &QAction::triggered, this, &PaperCommands::showStability);
-    connect(actions.advise, &QAction::triggered, this, &PaperCommands::showAdvice);
-    connect(actions.worst, &QAction::triggered, this, &PaperCommands::showWorst);
+    connect(actions.figures, &QAction::triggered, this, [this] { (void)shown<FiguresDialog>(); });
+    connect(actions.stability, &QAction::triggered, this, [this] {
+        connect(&shown<StabilityDialog>(), &StabilityDialog::sceneWanted, this, &PaperCommands::sceneWanted,
+                Qt::UniqueConnection);
+    });
+    connect(actions.advise, &QAction::triggered, this, [this] {
+        connect(&shown<AdviseDialog>(), &AdviseDialog::strategyWanted, &m_experiments, &Experiments::showStrategy,
+                Qt::UniqueConnection);
+    });
+    connect(actions.worst, &QAction::triggered, this, [this] { (void)shown<WorstDialog>(); });
+    connect(actions.reports, &QAction::triggered, this, [this] { (void)shown<ReportsDialog>(); });
+    m_runner->recordBy([this] { return m_experiments.recorder(); });
+    connect(m_runner, &PaperRunner::ended, &m_experiments, &Experiments::readHistory);
     // The changes that the experiment made to the session are not steps for the user to undo.
     connect(m_runner, &PaperRunner::ended, &undo, &UndoRecorder::startAnew);
 }
 
-void PaperCommands::showStability() {
-    auto* dialog = m_window->findChild<StabilityDialog*>();
+template <typename Dialog>
+Dialog& PaperCommands::shown() {
+    auto* dialog = m_window->findChild<Dialog*>();
     if (dialog == nullptr) {
-        dialog = new StabilityDialog(m_session, m_window);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        connect(dialog, &StabilityDialog::sceneWanted, this, &PaperCommands::sceneWanted);
-    }
-    dialog->show();
-    dialog->raise();
-}
-
-void PaperCommands::showFigures() {
-    auto* dialog = m_window->findChild<FiguresDialog*>();
-    if (dialog == nullptr) {
-        dialog = new FiguresDialog(m_session, m_window);
+        dialog = new Dialog(m_session, m_window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
     dialog->show();
     dialog->raise();
-}
-
-void PaperCommands::showAdvice() {
-    auto* dialog = m_window->findChild<AdviseDialog*>();
-    if (dialog == nullptr) {
-        dialog = new AdviseDialog(m_session, m_window);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        connect(dialog, &AdviseDialog::strategyWanted, &m_experiments, &Experiments::showStrategy);
-    }
-    dialog->show();
-    dialog->raise();
-}
-
-void PaperCommands::showWorst() {
-    auto* dialog = m_window->findChild<WorstDialog*>();
-    if (dialog == nullptr) {
-        dialog = new WorstDialog(m_session, m_window);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-    }
-    dialog->show();
-    dialog->raise();
+    return *dialog;
 }
 
 void PaperCommands::showDialog() {

@@ -25,10 +25,9 @@ signals:
 
 private:
     void showDialog();
-    void showFigures();
-    void showStability();
-    void showAdvice();
-    void showWorst();
+    /// Shows the window's dialog of that kind: one that is closed is made anew.
+    template <typename Dialog>
+    Dialog& shown();
 
     Session& m_session;
     Experiments& m_experiments;

@@ -81,6 +81,7 @@ void WindowActions::makeView() {
     stability = command({});
     advise = command({});
     worst = command({});
+    reports = command({});
     resetLayout = command({});
     systemAppearance = option(appearance, QStringLiteral("system"));
     lightAppearance = option(appearance, QStringLiteral("light"));
@@ -174,7 +175,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, figures, stability, advise, worst});
+    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce, figures, stability, advise, worst, reports});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(lookFrom);

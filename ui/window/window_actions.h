@@ -46,7 +46,7 @@ public:
     QAction *stepThrough, *questionFirst;
     QAction *stepOn, *stepBack, *stepFirst, *stepLast, *stepToBreakpoint, *stepBackToBreakpoint;  ///< only while stepping
     QAction *lecture, *resetLayout;
-    QAction *reproduce, *figures, *stability, *advise, *worst;
+    QAction *reproduce, *figures, *stability, *advise, *worst, *reports;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
     QMenu* lookFrom;  ///< filled from namedViews()

@@ -111,6 +111,7 @@ void WindowActions::retranslateView() {
     say(figures, tr("Dra&w a paper's figure…"), tr("Draw a figure of a paper anew, and save it as a picture or as its numbers"));
     say(stability, tr("Sta&bility…"), tr("Run the battery of extreme cases, and open their scenes"));
     say(advise, tr("Adv&ise…"), tr("Measure which strategy suits this scene, what it would lose, and what it costs"));
+    say(reports, tr("&Kept reports…"), tr("The advice, worst views, runs of the battery and certificates of the result store"));
     say(worst, tr("W&orst view…"), tr("Search for the view in which the active view's strategy loses most or gains least"));
     say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));
     say(systemAppearance, tr("As the &system"), tr("Light or dark as the system is set"));

@@ -4,6 +4,7 @@
 #include "core/base/terminal_text.h"
 #include "core/experiments/advice/adviser.h"
 #include "core/experiments/result_file.h"
+#include "core/measure/field_figures.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope::advice {
@@ -17,7 +18,10 @@ std::string milliseconds(double value) { return value >= 0.1 ? decimal(value, 1)
 
 Message lossSentence(const AdvisedStrategy& best) {
     if (best.judgedViews == 0) return {};
-    if (best.lostPixels == 0) return {CULLSCOPE_TR("It lost nothing in %1 views (< 3/%1)."), {std::to_string(best.judgedViews)}};
+    if (best.lostPixels == 0)
+        return {boundSaysSomething(best.judgedViews) ? CULLSCOPE_TR("It lost nothing in %1 views (< 3/%1).")
+                                                     : CULLSCOPE_TR("It lost nothing in %1 views."),
+                {std::to_string(best.judgedViews)}};
     return {CULLSCOPE_TR("It loses %1 of a million pixels, in %2 of %3 views."),
             {decimal(1e6 * *best.missedRate(), 1), std::to_string(best.viewsWithLoss), std::to_string(best.judgedViews)}};
 }
@@ -60,7 +64,7 @@ std::string ratioWords(const std::optional<RatioEstimate>& ratio) {
 
 std::string lossWords(const AdvisedStrategy& strategy) {
     if (strategy.judgedViews == 0) return "-";
-    if (strategy.lostPixels == 0) return fmt::format("0 (< 3/{})", strategy.judgedViews);
+    if (strategy.lostPixels == 0) return noLossIn(strategy.judgedViews).english();
     return decimal(1e6 * *strategy.missedRate(), 1);
 }
 

@@ -22,8 +22,6 @@ constexpr double kBuildFrames = 100.0, kLeastBuildSeconds = 0.5;
 constexpr double kFrameSeconds = 1.0, kLongFrames = 10.0;
 constexpr double kSlowFirst = 5.0;  // of a first frame, which fills caches, too
 
-const StrategyInfo& infoOf(const Entrant& entrant) { return findStrategy(entrant.figures.strategy.id).info; }
-
 class Adviser {
 public:
     Adviser(const AdviseRequest& request, const Progress& progress)
@@ -61,7 +59,7 @@ private:
     void admit(const StrategyRequest& strategy, bool limit) {
         Entrant entrant;
         entrant.figures.strategy = strategy;
-        entrant.figures.everything = infoOf(entrant).baseline != BaselineRole::None;
+        entrant.figures.everything = entrant.info().baseline != BaselineRole::None;
         entrant.figures.limit = limit;
         entrant.probes.resize(m_race.poses());
         entrant.times.resize(m_race.poses());
@@ -110,8 +108,9 @@ private:
 
     bool build(Entrant& entrant) {
         const StrategyRequest& strategy = entrant.figures.strategy;
-        if (const std::optional<Message> why = unavailable(infoOf(entrant), m_race.gl())) return refuse(entrant, *why);
-        if (const std::optional<Message> why = unserved(infoOf(entrant), m_request.path.camera(0))) return refuse(entrant, *why);
+        if (const std::optional<Message> why = unavailable(entrant.info(), m_race.gl())) return refuse(entrant, *why);
+        if (const auto why = unserved(entrant.info(), strategy.parameters, m_request.path.camera(0)))
+            return refuse(entrant, *why);
         double seconds = m_request.buildSeconds;
         if (seconds <= 0.0) {
             double best = 0.0;

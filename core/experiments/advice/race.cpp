@@ -150,12 +150,9 @@ std::vector<StrategyRequest> candidates() {
     };
     for (const StrategyInfo* baseline : baselines()) add({baseline->id, ParameterSet(baseline->parameters)});
     add(baselineUnder(Facing::ByObject));
-    const auto needsFile = [](const StrategyInfo& info) {
-        return std::ranges::any_of(info.parameters, [](const auto& declared) { return declared.type == ParameterType::File; });
-    };
     std::vector<const StrategyInfo*> tried;
     for (const RegisteredStrategy& strategy : strategies())
-        if (!strategy.info.limit && !needsFile(strategy.info)) tried.push_back(&strategy.info);
+        if (!strategy.info.limit && strategy.info.decidesByFile.empty()) tried.push_back(&strategy.info);
     for (const StrategyInfo* info : tried) add({info->id, ParameterSet(info->parameters)});
     for (const StrategyInfo* info : tried)
         for (const DeclaredSweep& sweep : info->sweeps)

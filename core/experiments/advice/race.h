@@ -38,6 +38,8 @@ struct Entrant {
     bool racing = false;                             ///< it draws on
     std::vector<std::vector<double>> probes, times;  ///< milliseconds by pose: of the first views, and of the race
     std::vector<bool> judged;                        ///< by pose
+
+    [[nodiscard]] const StrategyInfo& info() const { return findStrategy(figures.strategy.id).info; }
 };
 
 /// The frames of an advice: draws, times and judges.

@@ -107,17 +107,20 @@ void copyRuns(const Database& from, int64_t number, const Database& to, int64_t 
     }
 }
 
-Added addCertificateText(const Database& database, const std::string& added, const std::string& strategy,
-                         const std::string& document) {
+Added addReport(const Database& database, const std::string& added, const Report& report) {
     Transaction transaction(database);
-    Statement select(database, "SELECT number FROM certificate WHERE strategy = ? AND document = ?");
-    select.bind(strategy).bind(document);
-    if (select.next()) return {select.number(0), false, true};
-    Statement insert(database, "INSERT INTO certificate (added, strategy, document) VALUES (?,?,?)");
-    insert.bind(added).bind(strategy).bind(document).run();
+    Statement select(database,
+                     "SELECT number FROM report WHERE kind = ? AND strategy = ? AND document = ? AND "
+                     "(kind = 'certificate' OR added = ?)");
+    select.bind(report.kind).bind(report.strategy).bind(report.document).bind(added);
+    if (select.next()) return {select.number(0), false, report.kind};
+    Statement insert(database,
+                     "INSERT INTO report (added, kind, scene, strategy, command, words, document) VALUES (?,?,?,?,?,?,?)");
+    insert.bind(added).bind(report.kind).bind(report.scene).bind(report.strategy).bind(report.command);
+    insert.bind(report.words).bind(report.document).run();
     const int64_t number = database.newestRow();
     transaction.commit();
-    return {number, true, true};
+    return {number, true, report.kind};
 }
 
 }  // namespace
@@ -147,13 +150,10 @@ std::vector<Added> ResultStore::addAll(const ResultStore& other) const {
         transaction.commit();
         all.push_back({copy});
     }
-    for (const StoredCertificate& certificate : other.certificates())
-        all.push_back(addCertificateText(m_database, certificate.added, certificate.strategy, certificate.document));
+    for (const StoredReport& each : other.reports()) all.push_back(addReport(m_database, each.added, each.report));
     return all;
 }
 
-Added ResultStore::addCertificate(const certify::Certificate& certificate) const {
-    return addCertificateText(m_database, timeText(), certificate.strategy, certify::certificateJson(certificate));
-}
+Added ResultStore::add(const Report& report) const { return addReport(m_database, timeText(), report); }
 
 }  // namespace cullscope::store

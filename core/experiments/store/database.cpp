@@ -20,6 +20,9 @@ void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(dat
 void Statement::Close::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 Database::Database(const std::filesystem::path& file, Access access) : m_file(file) {
+    std::error_code unknown;  // where one cannot tell, opening does
+    if (access == Access::Existing && !std::filesystem::exists(file, unknown) && !unknown)
+        throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
     const int mayMake = access == Access::Write ? SQLITE_OPEN_CREATE : 0;
     sqlite3* handle = nullptr;
     // A name that begins with "file:" or is ":memory:" is a file's name, too.

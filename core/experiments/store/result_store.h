@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/experiments/certify/certify.h"
 #include "core/experiments/result_file.h"
 #include "core/experiments/store/database.h"
+#include "core/experiments/store/report.h"
 #include "core/image/line_plot.h"
 #include "core/measure/meter.h"
 
@@ -81,20 +81,13 @@ struct Filter {
     std::string since, until;  ///< the beginnings of a date, both included: 2026, 2026-11, 2026-11-25
 };
 
-/// A certificate of the store.
-struct StoredCertificate {
-    int64_t number = 0;
-    std::string added;
-    std::string strategy;
-    std::string document;  ///< certificateJson
-};
-
 /// What was to be added. A measurement is there already where one was begun at the same millisecond on the same machine, of the
-/// same scene, path and experiment, with the same runs; a certificate where one has the same words.
+/// same scene, path and experiment, with the same runs; a certificate where one has the same document, and another report where
+/// one was added at the same time, too.
 struct Added {
     int64_t number = 0;  ///< of the new one, or of the one that is there
     bool isNew = true;
-    bool isCertificate = false;
+    std::string kind{};  ///< of a report; empty: it is a measurement
 };
 
 /// One file with measurements (SQLite, write-ahead log). Several programs may write at once. What was committed stays, whatever
@@ -102,7 +95,7 @@ struct Added {
 class ResultStore {
 public:
     /// The version of the file's layout. A newer file is refused with a sentence, an older one is migrated.
-    static constexpr int kVersion = 3;
+    static constexpr int kVersion = 4;
 
     /// Opens a store, or makes one.
     explicit ResultStore(const std::filesystem::path& file, Database::Access access = Database::Access::Write);
@@ -122,14 +115,16 @@ public:
     /// `started`: when it was measured. Throws Error(Input), naming `file`, where the text is none.
     [[nodiscard]] Added addFile(const std::string& json, const std::string& file, const Origin& origin,
                                 const std::string& started) const;
-    /// Adds the measurements and certificates of another store, each as a whole, as a study's parts are brought together.
+    /// Adds the measurements and reports of another store, each as a whole, as a study's parts are brought together.
     [[nodiscard]] std::vector<Added> addAll(const ResultStore& other) const;
 
     /// Adds them all, or none.
     void addOld(const std::vector<OldExperiment>& experiments) const;
 
-    [[nodiscard]] Added addCertificate(const certify::Certificate& certificate) const;
-    [[nodiscard]] std::vector<StoredCertificate> certificates() const;
+    [[nodiscard]] Added add(const Report& report) const;
+    [[nodiscard]] std::vector<StoredReport> reports(const Filter& filter = {}) const;
+    /// Throws Error(Usage) where there is no report of that number.
+    [[nodiscard]] StoredReport report(int64_t number) const;
 
     [[nodiscard]] const Database& database() const { return m_database; }
 
@@ -151,8 +146,8 @@ private:
 
 /// A measurement as the result files that `cullbench measure` writes.
 [[nodiscard]] std::string storedJson(const Stored& stored);
-/// Several: their result files as an array of `measurements`, with their numbers.
-[[nodiscard]] std::string storedJson(const std::vector<Stored>& stored);
+/// Several: their result files as an array of `measurements`, and what the reports say as one of `reports`, with their numbers.
+[[nodiscard]] std::string storedJson(const std::vector<Stored>& stored, const std::vector<StoredReport>& reports = {});
 /// The time of a frame by pose, a line for each strategy.
 [[nodiscard]] LinePlot framePlot(const Stored& stored);
 /// One row a frame. Of several measurements each row begins with the measurement's number.

@@ -8,7 +8,7 @@ namespace cullscope::store {
 inline constexpr int kApplication = 0x43756c6c;
 
 /// What makes each version of the layout of the one before; the first one of an empty file.
-inline constexpr std::array<const char*, 3> kLayouts{
+inline constexpr std::array<const char*, 4> kLayouts{
     R"(
 CREATE TABLE measurement (
     number INTEGER PRIMARY KEY AUTOINCREMENT,
@@ -54,6 +54,20 @@ CREATE TABLE certificate (
 )",
     R"(
 ALTER TABLE frame ADD COLUMN judged TEXT;
+)",
+    R"(
+CREATE TABLE report (
+    number INTEGER PRIMARY KEY AUTOINCREMENT,
+    added TEXT NOT NULL,
+    kind TEXT NOT NULL,
+    scene TEXT NOT NULL,
+    strategy TEXT NOT NULL,
+    command TEXT NOT NULL,
+    words TEXT NOT NULL,
+    document TEXT NOT NULL
+);
+INSERT INTO report SELECT number, added, 'certificate', '', strategy, '', '', document FROM certificate;
+DROP TABLE certificate;
 )"};
 
 }  // namespace cullscope::store

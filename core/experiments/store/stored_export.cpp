@@ -32,7 +32,7 @@ ResultFields document(const Stored& stored) {
 
 std::string storedJson(const Stored& stored) { return fieldsText(document(stored)); }
 
-std::string storedJson(const std::vector<Stored>& stored) {
+std::string storedJson(const std::vector<Stored>& stored, const std::vector<StoredReport>& reports) {
     ResultFields all{{"measurements", ResultFields::array()}};
     for (const Stored& each : stored) {
         const Listed& listed = each.listed;
@@ -44,6 +44,14 @@ std::string storedJson(const std::vector<Stored>& stored) {
         json.update(document(each));
         all["measurements"].push_back(std::move(json));
     }
+    for (const StoredReport& each : reports)
+        all["reports"].push_back({{"report", each.number},
+                                  {"added", each.added},
+                                  {"kind", each.report.kind},
+                                  {"scene", each.report.scene},
+                                  {"strategy", each.report.strategy},
+                                  {"command", each.report.command},
+                                  {"document", ResultFields::parse(each.report.document)}});
     return fieldsText(all);
 }
 

@@ -45,12 +45,21 @@ std::string lower(std::string text) {
 
 bool has(const std::string& text, const std::string& part) { return lower(text).find(lower(part)) != std::string::npos; }
 
-bool shown(const Listed& listed, const Filter& filter) {
-    if (!has(listed.scene, filter.scene)) return false;
+bool shown(const std::string& scene, const std::vector<std::string>& strategies, const std::string& when, const Filter& filter) {
+    if (!has(scene, filter.scene)) return false;
     const auto named = [&](const std::string& strategy) { return has(strategy, filter.strategy); };
-    if (!filter.strategy.empty() && std::ranges::none_of(listed.strategies, named)) return false;
-    if (!filter.since.empty() && listed.started.substr(0, filter.since.size()) < filter.since) return false;
-    return filter.until.empty() || listed.started.substr(0, filter.until.size()) <= filter.until;
+    if (!filter.strategy.empty() && std::ranges::none_of(strategies, named)) return false;
+    if (!filter.since.empty() && when.substr(0, filter.since.size()) < filter.since) return false;
+    return filter.until.empty() || when.substr(0, filter.until.size()) <= filter.until;
+}
+
+constexpr const char* kReportColumns = "number, added, kind, scene, strategy, command, words, document";
+
+StoredReport reportOf(const Database& database, const Statement& row) {
+    StoredReport stored{
+        row.number(0), row.text(1), {row.text(2), row.text(3), row.text(4), row.text(5), row.text(6), row.text(7)}};
+    if (!ResultFields::accept(stored.report.document)) database.refuse();
+    return stored;
 }
 
 /// A number that no measurement gives.
@@ -169,7 +178,7 @@ std::vector<Listed> ResultStore::list(const Filter& filter) const {
         Statement strategies(m_database, "SELECT strategy FROM run WHERE measurement = ? AND asked_for ORDER BY place");
         strategies.bind(listed.number);
         while (strategies.next()) listed.strategies.push_back(strategies.text(0));
-        if (shown(listed, filter)) all.push_back(std::move(listed));
+        if (shown(listed.scene, listed.strategies, listed.started, filter)) all.push_back(std::move(listed));
     }
     return all;
 }
@@ -259,11 +268,23 @@ std::vector<KeptFigures> ResultStore::figures(int64_t number) const {
     return all;
 }
 
-std::vector<StoredCertificate> ResultStore::certificates() const {
-    std::vector<StoredCertificate> all;
-    Statement select(m_database, "SELECT number, added, strategy, document FROM certificate ORDER BY number");
-    while (select.next()) all.push_back({select.number(0), select.text(1), select.text(2), select.text(3)});
+std::vector<StoredReport> ResultStore::reports(const Filter& filter) const {
+    std::vector<StoredReport> all;
+    Statement select(m_database, (std::string("SELECT ") + kReportColumns + " FROM report ORDER BY number").c_str());
+    while (select.next()) {
+        StoredReport stored = reportOf(m_database, select);
+        if (shown(stored.report.scene, {stored.report.strategy}, stored.added, filter)) all.push_back(std::move(stored));
+    }
     return all;
+}
+
+StoredReport ResultStore::report(int64_t number) const {
+    Statement select(m_database, (std::string("SELECT ") + kReportColumns + " FROM report WHERE number = ?").c_str());
+    select.bind(number);
+    if (!select.next())
+        throwUsage(CULLSCOPE_TR("%1 has no report %2: list them with cullbench store %1 list."),
+                   {m_database.file().string(), std::to_string(number)});
+    return reportOf(m_database, select);
 }
 
 }  // namespace cullscope::store

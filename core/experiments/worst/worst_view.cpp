@@ -1,12 +1,14 @@
 #include "core/experiments/worst/worst_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "core/base/error.h"
 #include "core/measure/single_frames.h"
+#include "core/measure/statistics.h"
 #include "core/scene/tour.h"
 
 namespace cullscope::worst {
@@ -15,6 +17,8 @@ namespace {
 constexpr int kColumns = 12, kRows = 6;        // of the coarse grid: parts of 30 degrees
 constexpr size_t kPlaces = 16, kAzimuths = 8;  // inside
 constexpr size_t kRefined = 6;                 // parts in a step
+constexpr size_t kConfirmedViews = 5;          // the worst of a search for the least gain
+constexpr int kConfirmingTurns = 5;            // times the repetitions of the search
 constexpr double kLeastPart = 1.0;             // degrees: smaller parts are not divided
 constexpr double kMostElevation = 90.0, kInsideElevation = 30.0;
 
@@ -42,12 +46,13 @@ public:
             coarse();
             while (refine()) {
             }
+            findWorst();
+            if (m_request.of == Of::Ratio) confirm();
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::Interrupted) throw;
             m_result.interrupted = true;
+            findWorst();
         }
-        for (size_t i = 0; i < m_result.views.size(); ++i)
-            if (m_result.worse(m_result.views[i].value, m_result.views[m_result.worst].value)) m_result.worst = i;
         return std::move(m_result);
     }
 
@@ -142,16 +147,44 @@ private:
         return camera;
     }
 
+    void findWorst() {
+        for (size_t i = 0; i < m_result.views.size(); ++i)
+            if (m_result.worse(m_result.views[i].value, m_result.views[m_result.worst].value)) m_result.worst = i;
+    }
+
+    /// Draws the few worst views anew, and takes the worst one by these frames.
+    void confirm() {
+        std::vector<size_t> order(m_result.views.size());
+        std::iota(order.begin(), order.end(), size_t(0));
+        std::ranges::stable_sort(order, {}, [&](size_t i) { return m_result.views[i].value; });
+        order.resize(std::min(order.size(), kConfirmedViews));
+        std::optional<RatioEstimate> least;
+        for (const size_t i : order) {
+            const View view(cameraOf(m_result.views[i].pose), m_request.size);
+            const RatioEstimate again = ratioOfTotals(std::array{timesAt(view, kConfirmingTurns * m_request.repetitions)});
+            if (least && least->ratio <= again.ratio) continue;
+            least = again;
+            m_result.worst = i;
+        }
+        m_result.confirmed = least;
+    }
+
+    /// The strategy and the baseline in turns, the order changing; a turn before them is not counted.
+    ViewTimes timesAt(const View& view, int repetitions) {
+        ViewTimes times;
+        for (int turn = -1; turn < repetitions; ++turn)
+            for (const bool first : {turn % 2 == 0, turn % 2 != 0}) {
+                const double time = draw(first ? *m_built : *m_baseline, view).milliseconds;
+                if (turn >= 0) (first ? times.subject : times.baseline).push_back(time);
+            }
+        return times;
+    }
+
     void measure(TriedView& tried) {
         const View view(cameraOf(tried.pose), m_request.size);
         if (m_request.of == Of::Ratio) {
-            std::vector<double> own, baseline;
-            for (int turn = -1; turn < m_request.repetitions; ++turn)
-                for (const bool first : {turn % 2 == 0, turn % 2 != 0}) {
-                    const double time = draw(first ? *m_built : *m_baseline, view).milliseconds;
-                    if (turn >= 0) (first ? own : baseline).push_back(time);
-                }
-            tried.value = quantile(baseline, 0.5) / quantile(own, 0.5);
+            const ViewTimes times = timesAt(view, m_request.repetitions);
+            tried.value = quantile(times.baseline, 0.5) / quantile(times.subject, 0.5);
             return;
         }
         const FrameLog log = draw(*m_built, view).log;

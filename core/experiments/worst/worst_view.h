@@ -47,6 +47,9 @@ struct WorstResult {
     CameraPath lens{};  ///< without poses
     std::vector<TriedView> views{};
     size_t worst = 0;  ///< among them; there is one unless `views` is empty
+    /// With Of::Ratio: of the worst view, by frames that were drawn after the search. What the search found is the least of many
+    /// values, each with its error: it lies below the truth. None: not asked for, or it was stopped before.
+    std::optional<RatioEstimate> confirmed{};
     bool interrupted = false;
 
     /// Whether one value is worse than another one.

@@ -8,6 +8,7 @@
 #include "core/experiments/result_file.h"
 #include "core/experiments/worst/worst_view.h"
 #include "core/image/cell_map_picture.h"
+#include "core/measure/field_figures.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope::worst {
@@ -21,6 +22,13 @@ std::string shown(const WorstResult& result, double value) {
     if (result.request.of == Of::Ratio) return fmt::format("{:.2f}", value);
     const double perMillion = 1e6 * value;
     return value == 0.0 ? std::string("0") : fmt::format("{:.{}f}", perMillion, perMillion < 100.0 ? 1 : 0);
+}
+
+/// "1.05 [1.01, 1.10]" of the frames after the search; before them the least that it found.
+std::string shownRatio(const WorstResult& result) {
+    if (!result.confirmed) return shown(result, result.views[result.worst].value);
+    const RatioEstimate& again = *result.confirmed;
+    return fmt::format("{:.2f} [{:.2f}, {:.2f}]", again.ratio, again.ci95[0], again.ci95[1]);
 }
 
 PlotColour colourAt(size_t step) {
@@ -110,8 +118,11 @@ std::vector<Message> sentences(const WorstResult& result) {
     const auto losing = std::ranges::count_if(result.views, [](const TriedView& view) { return view.lostPixels > 0; });
     if (result.request.of == Of::Ratio)
         return {{CULLSCOPE_TR("%1 gains least where it has ×%2 the speed of drawing the same sides; %3 views were tried."),
-                 {label, shown(result, worst.value), count}}};
-    if (losing == 0) return {{CULLSCOPE_TR("%1 lost nothing in %2 views (< 3/%2)."), {label, count}}};
+                 {label, shownRatio(result), count}}};
+    if (losing == 0)
+        return {{boundSaysSomething(result.views.size()) ? CULLSCOPE_TR("%1 lost nothing in %2 views (< 3/%2).")
+                                                         : CULLSCOPE_TR("%1 lost nothing in %2 views."),
+                 {label, count}}};
     return {{CULLSCOPE_TR("%1 loses most where it loses %2 of %3 covered pixels; it loses something in %4 of %5 views."),
              {label, std::to_string(worst.lostPixels), std::to_string(worst.coveredPixels), std::to_string(losing), count}}};
 }
@@ -153,6 +164,8 @@ std::string worstJson(const WorstResult& result) {
               {"of", result.request.of == Of::Missed ? "missed" : "ratio"},
               {"inside", result.request.inside},
               {"size", {result.request.size.width, result.request.size.height}},
+              {"confirmed_ratio", result.confirmed ? Json(result.confirmed->ratio) : Json(nullptr)},
+              {"confirmed_ratio_ci95", result.confirmed ? Json(result.confirmed->ci95) : Json(nullptr)},
               {"interrupted", result.interrupted},
               {"fovy_deg", path.fovy.degrees()},
               {"near", path.nearDistance},

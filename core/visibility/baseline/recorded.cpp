@@ -1,7 +1,6 @@
 #include "core/visibility/baseline/recorded.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/message.h"
@@ -19,7 +18,7 @@ enum class RecordedLine : uint8_t { Pose = 1, Objects, Draw, LeaveOut };
 
 struct RecordedSets : Structure {
     using Structure::Structure;
-    std::optional<DrawnSets> sets;  ///< none: everything is drawn
+    DrawnSets sets;  ///< empty without a file, by which nothing is decided then
 };
 
 class Recorded final : public StrategyWith<RecordedSets> {
@@ -29,29 +28,26 @@ protected:
         structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
         if (file.empty()) return;
         structure.sets = readDrawnSets(file, structure.scene());
-        if (structure.sets->path.poses.empty())
+        if (structure.sets.path.poses.empty())
             throwInput(CULLSCOPE_TR("%1 has no cameras beside its sets, by which a view would find its own: give every pose eye, "
                                     "target and up."),
                        {file});
-        structure.report.figures.push_back({"poses", double(structure.sets->poses.size())});
-        for (const DrawnSets::Triangles& pose : structure.sets->poses) structure.report.bytes += pose.size() * sizeof(pose[0]);
+        structure.report.figures.push_back({"poses", double(structure.sets.poses.size())});
+        for (const DrawnSets::Triangles& pose : structure.sets.poses) structure.report.bytes += pose.size() * sizeof(pose[0]);
     }
     void decide(FrameContext& frame, const RecordedSets& structure, ViewState& /*state*/,
                 const ParameterSet& /*parameters*/) const override {
         const Scene& scene = structure.scene();
-        const size_t pose = structure.sets ? structure.sets->nearestPose(frame.view().camera()) : 0;
+        const size_t pose = structure.sets.nearestPose(frame.view().camera());
         sayBegin(frame, uint8_t(RecordedLine::Pose),
-                 structure.sets ? CULLSCOPE_TR("The camera of pose %1 of the file is the nearest one: its set is drawn.")
-                                : CULLSCOPE_TR("No file is named: everything is drawn."),
-                 {double(pose)});
+                 CULLSCOPE_TR("The camera of pose %1 of the file is the nearest one: its set is drawn."), {double(pose)});
         DrawList list{frame.facing(), {}};
         {
             const StageTimer stage(frame, CULLSCOPE_TR("listing"));
             for (uint32_t i = 0; i < scene.instances().size(); ++i) {
                 const uint64_t all = scene.meshOf(i).triangleCount();
                 if (all == 0) continue;
-                const uint64_t drawn =
-                    structure.sets ? addRanges(list, scene, i, structure.sets->poses[pose]) : addWhole(list, i, all);
+                const uint64_t drawn = addRanges(list, scene, i, structure.sets.poses[pose]);
                 const Cause cause = outside(scene, i, frame.view()) ? Cause::OutsideFrustum : Cause::Hidden;
                 frame.counters().culledTriangles[size_t(cause)] += all - drawn;
                 if (frame.recording()) frame.say(end(i, drawn, all, cause));
@@ -65,10 +61,6 @@ protected:
     }
 
 private:
-    static uint64_t addWhole(DrawList& list, uint32_t instance, uint64_t all) {
-        list.ranges.push_back({instance, 0, uint32_t(3 * all)});
-        return all;
-    }
     /// What is drawn of one object; returns how many of its triangles.
     static uint64_t addRanges(DrawList& list, const Scene& scene, uint32_t instance, const DrawnSets::Triangles& triangles) {
         const uint64_t begin = scene.firstTriangle(instance), end = begin + scene.meshOf(instance).triangleCount();
@@ -105,6 +97,7 @@ RegisteredStrategy recorded() {
          fileParameter(kFile, CULLSCOPE_TR("File of drawn sets with their cameras (JSON); without one everything is "
                                            "drawn."))},
         GlRequirement::None};
+    info.decidesByFile = kFile;
     info.shows = {listingShow({{CULLSCOPE_TR("take the pose with the nearest camera"), 0},
                                {CULLSCOPE_TR("for each object"), 0},
                                {CULLSCOPE_TR("draw what the file has of it"), 1},

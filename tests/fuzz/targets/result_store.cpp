@@ -13,7 +13,7 @@ void result_store(std::string_view input) {
     const bool taken = accepted({ErrorKind::Input, ErrorKind::Usage}, [&] {
         const store::ResultStore opened(file, store::Database::Access::Existing);
         for (const store::Listed& each : opened.list()) all.push_back(opened.read(each.number));
-        (void)opened.certificates();
+        (void)opened.reports();
     });
     if (!taken || all.empty()) return;
     (void)store::storedJson(all);

@@ -1,4 +1,4 @@
-// The dialogs of advice, of the worst view and of a paper's figures, with their answers, in every language.
+// The dialogs of advice, of the worst view, of a paper's figures and of kept reports, with their answers, in every language.
 #include <QSignalSpy>
 
 #include "tests/ui/looks/desktop.h"
@@ -6,6 +6,7 @@
 #include "tests/ui/looks/shown_texts.h"
 #include "ui/dialogs/advise_dialog.h"
 #include "ui/dialogs/figures_dialog.h"
+#include "ui/dialogs/reports_dialog.h"
 #include "ui/dialogs/worst_dialog.h"
 
 namespace cullscope::ui::advice_look_test {
@@ -41,6 +42,11 @@ TEST(Advice, dialogsCutNoTextInAnyLanguage) {
         worst->startButton().click();
         ASSERT_TRUE(found.wait(kPatience));
         expectWhole(*worst, QStringLiteral("worst-") + language);
+        desktop.window.actions().reports->trigger();
+        auto* reports = desktop.window.findChild<ReportsDialog*>();
+        ASSERT_TRUE(reports);
+        ASSERT_GE(reports->table().rowCount(), 2);
+        expectWhole(*reports, QStringLiteral("reports-") + language);
     }
 }
 
