@@ -13,7 +13,9 @@ namespace {
 
 constexpr size_t kProbes = 2;
 constexpr size_t kLeastViews = 6;       // before an interval may exclude a strategy
-constexpr size_t kMostTurns = 3;        // at each view
+constexpr size_t kUsualTurns = 3;       // at each view
+constexpr size_t kMostTurns = 15;       // of those that do not differ by then
+constexpr double kLastShare = 0.25;     // what the turns after the usual ones may take of the time before them
 constexpr double kFar = 2.5;            // as many times as long as the fastest: no interval needed
 constexpr double kExcluded = 0.96;      // the interval's end below which a slower one leaves
 constexpr double kFarOfVariants = 1.5;  // of a default, so that its other values are not tried
@@ -28,7 +30,6 @@ public:
         : m_request(request), m_progress(progress), m_race(request, progress), m_order(spreadOrder(m_race.poses())) {}
 
     Advice run() {
-        const auto start = std::chrono::steady_clock::now();
         Advice advice;
         try {
             admitAll();
@@ -38,7 +39,7 @@ public:
             advice.interrupted = true;
         }
         choose(advice);
-        advice.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        advice.seconds = passed();
         return advice;
     }
 
@@ -211,13 +212,20 @@ private:
 
     void race() {
         leaveSlow();
-        for (size_t turn = 0; turn < kMostTurns && (turn == 0 || !decided()); ++turn)
+        double seconds = 0.0;  // of all that comes before the last turns
+        for (size_t turn = 0; turn < kMostTurns && (turn == 0 || !decided()); ++turn) {
+            if (turn == kUsualTurns) seconds = passed();
+            if (turn >= kUsualTurns && passed() > (1.0 + kLastShare) * seconds) break;
             for (size_t i = 0; i < m_order.size() && (turn == 0 || !decided()); ++i) {
                 m_progress.tell(0.5 + 0.5 * (double(turn) + double(i) / double(m_order.size())) / double(kMostTurns),
                                 CULLSCOPE_TR("racing"));
                 drawAll(m_order[i], turn, (turn + i) % 2 != 0);
                 dropSlower(turn * m_order.size() + i + 1);
             }
+        }
+    }
+    [[nodiscard]] double passed() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
     }
 
     /// Those that were tried before the fastest.
@@ -241,18 +249,9 @@ private:
         }
     }
 
-    /// The fastest of those that may be chosen and have been drawn at every view so far.
-    [[nodiscard]] Entrant* fastest() {
-        Entrant* best = nullptr;
-        for (Entrant& entrant : m_entrants)
-            if (entrant.eligible && entrant.racing && (best == nullptr || sumOf(entrant.times) < sumOf(best->times)))
-                best = &entrant;
-        return best;
-    }
-
     void dropSlower(size_t drawn) {
-        const Entrant* const best = fastest();
-        if (best == nullptr || drawn < std::min(kLeastViews, kMostTurns * m_order.size())) return;
+        const Entrant* const best = fastest(m_entrants);
+        if (best == nullptr || drawn < std::min(kLeastViews, kUsualTurns * m_order.size())) return;
         for (Entrant& entrant : m_entrants) {
             if (&entrant == best || !entrant.racing || !entrant.eligible) continue;
             const RatioEstimate ratio = ratioBetween(best->times, entrant.times);
@@ -264,7 +263,7 @@ private:
 
     /// Whether one is left, or those that are do not differ by more than matters.
     [[nodiscard]] bool decided() {
-        const Entrant* const best = fastest();
+        const Entrant* const best = fastest(m_entrants);
         if (best == nullptr) return true;
         return std::ranges::all_of(m_entrants, [&](const Entrant& entrant) {
             if (&entrant == best || !entrant.racing || !entrant.eligible) return true;
@@ -288,7 +287,7 @@ private:
 
     /// Of those that are left the fastest, but for one whose structure is smaller and that is hardly slower.
     [[nodiscard]] Entrant* chosen() {
-        Entrant* const best = fastest();
+        Entrant* const best = fastest(m_entrants);
         Entrant* choice = best;
         for (Entrant& entrant : m_entrants) {
             if (best == nullptr || !entrant.racing || !entrant.eligible) continue;
@@ -334,6 +333,7 @@ private:
     StructureStore m_structures;
     BuiltStrategyPointer m_lastBuilt;
     std::vector<BuiltStrategyPointer> m_defaults;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
     std::vector<size_t> m_order;
     std::vector<Entrant> m_entrants;  ///< the first one draws everything
 };

@@ -125,6 +125,13 @@ void setTimes(Entrant& entrant, const Entrant& everything) {
 
 }  // namespace
 
+Entrant* fastest(std::vector<Entrant>& entrants) {
+    Entrant* best = nullptr;
+    for (Entrant& entrant : entrants)
+        if (entrant.eligible && entrant.racing && (best == nullptr || sumOf(entrant.times) < sumOf(best->times))) best = &entrant;
+    return best;
+}
+
 void setTimes(std::vector<Entrant>& entrants) {
     for (Entrant& entrant : entrants) {
         setTimes(entrant, entrants.front());

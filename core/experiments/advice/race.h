@@ -71,6 +71,9 @@ private:
 /// The sum over the views of the medians, milliseconds.
 [[nodiscard]] double sumOf(const std::vector<std::vector<double>>& times);
 
+/// The fastest of those that may be chosen and have been drawn at every view so far; null: there is none.
+[[nodiscard]] Entrant* fastest(std::vector<Entrant>& entrants);
+
 /// Fills in what each entrant's times say, beside those of the first one, which draws everything: of the race, or of the first
 /// views where it left after them.
 void setTimes(std::vector<Entrant>& entrants);
