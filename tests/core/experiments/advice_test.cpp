@@ -204,8 +204,18 @@ TEST(WorstView, saysThatNothingWasLostAsSoManyViews) {
     request.of = worst::Of::Ratio;
     request.views = 12;
     const worst::WorstResult ratio = worst::worstView(request);
-    for (const worst::TriedView& view : ratio.views) EXPECT_GE(view.value, ratio.views[ratio.worst].value);
-    EXPECT_GT(ratio.views[ratio.worst].value, 0.0);
+    EXPECT_FALSE(result.confirmed) << "losses are counted, not estimated";
+    // What is stated was drawn after the search, of one of its five least values.
+    ASSERT_TRUE(ratio.confirmed);
+    EXPECT_TRUE(ratio.confirmed->hasInterval);
+    EXPECT_LE(ratio.confirmed->ci95[0], ratio.confirmed->ratio);
+    EXPECT_GE(ratio.confirmed->ci95[1], ratio.confirmed->ratio);
+    EXPECT_LT(std::ranges::count_if(ratio.views, [&](const auto& view) { return view.value < ratio.views[ratio.worst].value; }),
+              5);
+    EXPECT_THAT(worst::worstText(ratio), testing::ContainsRegex("[0-9]+\\.[0-9]+ \\[[0-9]+\\.[0-9]+, "));
+    request.of = worst::Of::Missed;
+    request.views = 3;
+    EXPECT_THAT(worst::worstText(worst::worstView(request)), testing::HasSubstr("lost nothing in 3 views.")) << "3/3 is no bound";
 }
 
 }  // namespace

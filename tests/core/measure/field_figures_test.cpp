@@ -62,6 +62,12 @@ TEST(FieldFigures, zeroHasNoIntervalAndNothingToCountNoValue) {
     EXPECT_TRUE(fieldEstimates(std::vector<FrameMeasurement>(2)).empty()) << "frames that were not judged";
 }
 
+TEST(FieldFigures, noLossBoundsARateWhereThereAreMoreThanThreeViews) {
+    EXPECT_EQ(noLossIn(16).english(), "0 (< 3/16)");
+    EXPECT_EQ(noLossIn(4).english(), "0 (< 3/4)");
+    EXPECT_EQ(noLossIn(3).english(), "0 of 3");
+}
+
 TEST(FieldFigures, anEventLastsAsLongAsAnObjectLosesPixels) {
     std::vector<FrameMeasurement> frames(6, frameOf());
     frames[1].lostObjects = {{7, 3}};
