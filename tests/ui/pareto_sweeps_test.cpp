@@ -75,7 +75,7 @@ TEST(ParetoFronts, pointsHaveTheirValuesAndTheLegendTheSweeps) {
     plot.setRuns(runFigures(sweptResult()));
     const QStringList words = wordsOf(plot);
     for (const char* expected : {"45", "360", "180 · 5°", "2.5°", "20°", "6", "8", "auto", "spherical by rows",
-                                 "spherical by band", "spherical-lossless by level", "0 (< 3/2)"})
+                                 "spherical by band", "spherical-lossless by level", "0 of 2"})
         EXPECT_EQ(words.count(QString::fromUtf8(expected)), 1) << expected << " in " << words.join('|').toStdString();
     EXPECT_EQ(words.count(QStringLiteral("frustum")), 2) << "at its point and in the legend, as it lies on no sweep";
 }
