@@ -57,8 +57,9 @@ void addAdviseCommand(CLI::App& app, Context& context) {
                      "share of the covered pixels that may be lost, as in 1e-4 (default 0: only what promises to lose nothing)")
         ->check(numberBetween(0.0, 1.0));
     command
-        ->add_option("--build-limit", options->buildLimit,
-                     "seconds after which building a structure ends (default: 100 frames of the fastest so far, at least 2)")
+        ->add_option(
+            "--build-limit", options->buildLimit,
+            "seconds after which building a structure ends (default: 100 frames of the fastest so far, at least half a second)")
         ->check(positiveNumber());
     command->add_option("--json", options->json, "result file; - is standard output");
     command->add_option("--svg", options->svg, "the plot of speed against losses; - is standard output");

@@ -29,7 +29,9 @@ void judge(const JudgeOptions& options, Context& context) {
     if (options.path.empty() && request.drawn.path.poses.empty())
         throwUsage(CULLSCOPE_TR("%1 has no cameras: name the camera path with --path."), {options.drawn});
     request.path = options.path.empty() ? request.drawn.path : cameraPath(options.path, *request.scene, {nullptr, context.stop});
-    request.size = asked ? *asked : request.drawn.size.value_or(kUsualSize);
+    // Who hands out the cameras says how large the pictures are: in smaller ones less is seen.
+    const std::optional<Viewport> stated = options.path.empty() ? request.drawn.size : pictureSizeIn(options.path);
+    request.size = asked ? *asked : stated.value_or(kUsualSize);
     const std::map<std::string, Facing> rules{
         {"two-sided", Facing::TwoSided}, {"front", Facing::Front}, {"auto", facingByObject(*request.scene)}};
     request.facing = rules.at(options.facing);
@@ -37,7 +39,9 @@ void judge(const JudgeOptions& options, Context& context) {
     Renderer renderer;
     const suite::Judgement judgement = suite::judgeDrawn(request, renderer, terminalProgress(context));
     clearProgress();
-    context.exitStatus = judgement.right() ? 0 : 1;
+    // Cameras of the judged file itself that see nothing show nothing of it.
+    const bool seen = judgement.kind() != suite::CullingKind::Unseen || !options.path.empty();
+    context.exitStatus = judgement.right() && seen ? 0 : 1;
     if (!options.json.empty()) writeText(options.json, suite::judgementJson(judgement, request, gl.info()));
     printText(options.json == "-" ? stderr : stdout, suite::judgementText(judgement, request));
     keeper.keep(reportOf(judgement, request, gl.info()));
@@ -62,7 +66,7 @@ void addJudgeCommand(CLI::App& app, Context& context) {
     addSceneOptions(*command, options->scene);
     command->add_option("--drawn", options->drawn, "what is drawn at each pose (docs/files.md)")->required();
     command->add_option("--path", options->path, "camera path: file or built-in name (default: the cameras beside the sets)");
-    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: that in FILE, else 640x480)");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels (default: that beside the cameras, else 640x480)");
     command->add_option("--facing", options->facing, "which faces the program draws: two-sided, front, auto")
         ->check(CLI::IsMember({"two-sided", "front", "auto"}))
         ->capture_default_str();

@@ -42,7 +42,9 @@ void checkOutputPlaces(const std::vector<std::string>& paths, const std::string&
         requireWritable(path);
         if (!isReplaced(path)) continue;
         const std::string place = placeOf(path);
-        if (isDatabase(path) || (!store.empty() && place == placeOf(store)))
+        const auto besideStore = [&](const char* ending) { return place == placeOf(store) + ending; };
+        const bool isStore = !store.empty() && (besideStore("") || besideStore("-wal") || besideStore("-shm"));
+        if (isDatabase(path) || isStore)
             throwUsage(CULLSCOPE_TR("%1 is a result store, which a result file would replace. Name another file."), {path});
         if (std::ranges::find(places, place) != places.end())
             throwUsage(CULLSCOPE_TR("%1 is named for two result files, of which the second would replace the first. Name "

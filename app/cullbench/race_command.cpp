@@ -27,6 +27,7 @@ void race(const RaceOptions& options, Context& context) {
     request.upload = options.run.uploadBy();
     request.timing.fixedRepetitions = options.run.repeat;
     request.accuracy = !options.noAccuracy;
+    request.limitToo = true;
     if (options.json == "-" && options.csv == "-")
         throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
     checkOutputPlaces({options.json, options.csv}, options.store);

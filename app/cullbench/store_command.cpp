@@ -75,20 +75,21 @@ void show(const StoreOptions& options) {
         say("{}, {}{}\n", listed.cpu, listed.gl.renderer, listed.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
     if (!listed.sceneSha256.empty())
         say("{}: {} triangles in {} objects, sha256 {}\n", listed.scene, listed.triangles, listed.instances, listed.sceneSha256);
-    say("{:<32} {:<12} {:>6} {:>9} {:>9} {:>19} {:>17} {:>10}\n", "strategy", "promise", "poses", "ms", "fps",
-        "x same sides [95 %]", "x all [95 %]", "missed px");
+    say("{:<32} {:<12} {:>6} {:>9} {:>9} {:>19} {:>17} {:>10} {:>22}\n", "strategy", "promise", "poses", "median ms", "fps",
+        "x same sides [95 %]", "x all [95 %]", "missed px", "of the headroom [95 %]");
     for (const store::StoredRun& run : stored.runs) {
         if (run.old) {
-            say("{:<32} {:<12} {:>6} {:>9} {:>9} {:>19} {:>17} {:>10}\n", run.strategy, "-", "-", "-", "-",
+            say("{:<32} {:<12} {:>6} {:>9} {:>9} {:>19} {:>17} {:>10} {:>22}\n", run.strategy, "-", "-", "-", "-",
                 run.old->ratio ? interval(*run.old->ratio) : "-", "-",
-                run.old->missedPpm ? fmt::format("{:.3g} ppm", *run.old->missedPpm) : "-");
+                run.old->missedPpm ? fmt::format("{:.3g} ppm", *run.old->missedPpm) : "-", "-");
             continue;
         }
         if (!run.askedFor && !run.isLimit) continue;
         const Summary& summary = run.run.summary;
-        say("{:<32} {:<12} {:>6} {:>9.3f} {:>9.2f} {:>19} {:>17} {:>10}\n", run.strategy, promiseId(run.run.promise),
+        say("{:<32} {:<12} {:>6} {:>9.3f} {:>9.2f} {:>19} {:>17} {:>10} {:>22}\n", run.strategy, promiseId(run.run.promise),
             run.frames.size(), summary.frameMillisecondsMedian, summary.fpsOverall, interval(summary.ratioToOwnRule),
-            interval(summary.ratioToTriangles), lostText(run.run.losses()));
+            interval(summary.ratioToTriangles), lostText(run.run.losses()),
+            summary.headroomShare ? interval(*summary.headroomShare) : "-");
     }
 }
 
@@ -105,7 +106,7 @@ void showReport(const StoreOptions& options) {
 void compareSides(const StoreOptions& options) {
     const store::ResultStore opened(options.file, store::Database::Access::Existing);
     const std::vector<store::Compared> all = store::compared(opened, options.a, options.b);
-    say("{:<28} {:<28} {:>6} {:>9} {:>9} {:>20} {:>10} {:>10}  {}\n", "A", "B", "poses", "ms of A", "ms of B",
+    say("{:<28} {:<28} {:>6} {:>9} {:>9} {:>20} {:>10} {:>10}  {}\n", "A", "B", "poses", "mean ms A", "mean ms B",
         "x of B to A [95 %]", "A missed", "B missed", "verdict");
     for (const store::Compared& each : all)
         say("{:<28} {:<28} {:>6} {:>9.3f} {:>9.3f} {:>20} {:>10} {:>10}  {}\n", each.a, each.b, each.poses, each.msOfA,
@@ -187,14 +188,22 @@ CLI::Validator numberInList(const std::string& what) {
 
 /// 2026, 2026-11 or 2026-11-25.
 CLI::Validator beginOfDate() {
-    return {[](std::string& text) {
-                constexpr std::string_view kPattern = "dddd-dd-dd";
-                bool fits = text.size() == 4 || text.size() == 7 || text.size() == 10;
-                for (size_t i = 0; fits && i < text.size(); ++i)
-                    fits = kPattern[i] == '-' ? text[i] == '-' : text[i] >= '0' && text[i] <= '9';
-                return fits ? std::string() : "\"" + text + "\" is no date as 2026, 2026-11 or 2026-11-25";
-            },
-            ""};
+    return {
+        [](std::string& text) {
+            constexpr std::string_view kPattern = "dddd-dd-dd";
+            bool fits = text.size() == 4 || text.size() == 7 || text.size() == 10;
+            for (size_t i = 0; fits && i < text.size(); ++i)
+                fits = kPattern[i] == '-' ? text[i] == '-' : text[i] >= '0' && text[i] <= '9';
+            if (fits) {
+                // The earliest day that the text may mean.
+                const std::string day = text + std::string("-01-01").substr(text.size() == 4 ? 0 : text.size() == 7 ? 3 : 6);
+                const auto part = [&](size_t from, size_t count) { return std::stoi(day.substr(from, count)); };
+                using namespace std::chrono;
+                fits = year_month_day(year(part(0, 4)), month(unsigned(part(5, 2))), std::chrono::day(unsigned(part(8, 2)))).ok();
+            }
+            return fits ? std::string() : "\"" + text + "\" is no date as 2026, 2026-11 or 2026-11-25";
+        },
+        ""};
 }
 
 void addFilterOptions(CLI::App& command, store::Filter& filter) {

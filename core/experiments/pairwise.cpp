@@ -55,6 +55,14 @@ std::string pairText(const PairOfRuns& pair) {
                        pair.ratio.ci95[1]);
 }
 
+/// "34 [30, 38]": per cent of what any culling could save.
+std::string shareText(const std::optional<RatioEstimate>& share) {
+    constexpr double kPercent = 100.0;
+    if (!share) return "-";
+    if (!share->hasInterval) return fmt::format("{:.0f}", kPercent * share->ratio);
+    return fmt::format("{:.0f} [{:.0f}, {:.0f}]", kPercent * share->ratio, kPercent * share->ci95[0], kPercent * share->ci95[1]);
+}
+
 std::string pairsText(const MeasureResult& result) {
     const std::vector<size_t> runs = measuredRuns(result);
     const std::vector<PairOfRuns> pairs = pairsOf(result);
@@ -74,6 +82,10 @@ std::string pairsText(const MeasureResult& result) {
                 std::ranges::find_if(pairs, [&](const PairOfRuns& pair) { return pair.one == one && pair.other == other; });
             text += cell(found == pairs.end() ? "1" : pairText(*found));
         }
+    }
+    if (result.limit) {
+        text += fmt::format("\n{:<{}}", "of the headroom, % [95 %]", kName);
+        for (const size_t run : runs) text += cell(shareText(result.runs[run].summary.headroomShare));
     }
     return text + "\n";
 }

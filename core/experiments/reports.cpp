@@ -21,9 +21,11 @@ store::Report reportOf(const std::vector<stability::CaseResult>& battery, const 
 }
 
 store::Report reportOf(const suite::Judgement& judgement, const suite::JudgeRequest& request, const GlInfo& gl) {
+    // The strategy that draws the same sets, so that a list tells whose they are.
+    const std::string recorded = "recorded:file=" + request.drawn.file;
     return {store::kJudgement,
             request.scene->name(),
-            "",
+            recorded,
             "",
             judgementText(judgement, request),
             judgementJson(judgement, request, gl)};

@@ -90,7 +90,8 @@ Json tableJson(const ResultTable& table) {
 
 /// Whether any row of the column has a confidence interval.
 bool hasIntervals(const ResultTable& table, size_t column) {
-    return std::any_of(table.rows.begin(), table.rows.end(),
+    return table.columns[column].estimated ||
+           std::any_of(table.rows.begin(), table.rows.end(),
                        [&](const std::vector<CellValue>& row) { return std::holds_alternative<RatioEstimate>(row[column]); });
 }
 

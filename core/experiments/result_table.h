@@ -35,6 +35,7 @@ struct ResultColumn {
     int decimals = 0;        ///< digits after the point on screen
     double scale = 1.0;      ///< factor of numbers on screen: 100 for a share in per cent
     bool filesOnly = false;  ///< not in tables as text, which have no room for it
+    bool estimated = false;  ///< its values may have intervals: CSV has columns for them, whatever the rows are
 };
 
 /// A check of an experiment, held against its table.

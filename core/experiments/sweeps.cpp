@@ -46,7 +46,9 @@ std::vector<ResultColumn> sweepColumns() {
                                       {"structure_bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
                                       {"poses", CULLSCOPE_TR("views"), Origin::Measured}};
     for (const FieldFigure& figure : fieldFigures())
-        columns.push_back({figure.key, figure.title, Origin::Measured, figure.decimals, figure.scale, !inText(figure.key)});
+        columns.push_back({figure.key, figure.title, Origin::Measured, figure.decimals, figure.scale, !inText(figure.key), true});
+    for (ResultColumn& column : columns)
+        if (column.key.starts_with("ratio_to_") || column.key == "headroom_share") column.estimated = true;
     return columns;
 }
 

@@ -176,7 +176,9 @@ void estimateSums(FieldEstimates& estimates, const std::vector<Shares>& views) {
         std::vector<double> values;
         for (const Shares& resample : resamples)
             if (resample[figure].whole > 0.0) values.push_back(factor * resample[figure].part / resample[figure].whole);
-        if (value > 0.0 && !values.empty())
+        // Where one view alone has something to count, resampling the views says nothing.
+        const auto counted = std::ranges::count_if(views, [&](const Shares& view) { return view[figure].whole > 0.0; });
+        if (value > 0.0 && !values.empty() && counted > 1)
             estimates[figure] = RatioEstimate{value, middle95(values), true};
         else
             estimates[figure] = RatioEstimate{value, {value, value}, false};

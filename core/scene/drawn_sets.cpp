@@ -43,6 +43,18 @@ void join(DrawnSets::Triangles& ranges) {
     ranges = std::move(joined);
 }
 
+std::optional<Viewport> sizeIn(const Json& root, const std::string& file) {
+    if (!root.is_object() || !root.contains("size")) return std::nullopt;
+    const Json& size = root["size"];
+    const auto isSide = [](const Json& side) {
+        return side.is_number_unsigned() && side.get<uint64_t>() >= 1 && side.get<uint64_t>() <= kMostPixels;
+    };
+    if (!size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
+        throwInput(CULLSCOPE_TR("%1: \"size\" must be two whole numbers from 1 to %2: width and height of the picture."),
+                   {file, std::to_string(kMostPixels)});
+    return Viewport{size[0].get<int>(), size[1].get<int>()};
+}
+
 class Reader {
 public:
     Reader(std::string file, const Scene& scene) : m_file(std::move(file)), m_scene(scene) {
@@ -53,12 +65,13 @@ public:
         if (!root.is_object() || !root.contains("poses") || !root["poses"].is_array() || root["poses"].empty())
             throwInput(CULLSCOPE_TR("%1: drawn sets need a list \"poses\" with at least one pose."), {m_file});
         DrawnSets sets;
+        sets.file = m_file;
         sets.path.name = m_file;
         sets.path.fovy = Angle::fromDegrees(lens(root, "fovy_deg", 45.0));
         sets.path.nearDistance = lens(root, "near", sets.path.nearDistance);
         sets.path.farDistance = lens(root, "far", sets.path.farDistance);
         readProjection(root, sets.path);
-        sets.size = sizeIn(root);
+        sets.size = sizeIn(root, m_file);
         for (const Json& pose : root["poses"]) {
             m_pose = std::to_string(sets.poses.size());
             sets.poses.push_back(drawnAt(pose, sets.byObjects));
@@ -86,18 +99,6 @@ private:
         if (!root.contains("height"))
             throwInput(CULLSCOPE_TR("%1: a parallel projection needs its \"height\", in scene units."), {m_file});
         path.height = lens(root, "height", path.height);
-    }
-
-    [[nodiscard]] std::optional<Viewport> sizeIn(const Json& root) const {
-        if (!root.contains("size")) return std::nullopt;
-        const Json& size = root["size"];
-        const auto isSide = [](const Json& side) {
-            return side.is_number_unsigned() && side.get<uint64_t>() >= 1 && side.get<uint64_t>() <= kMostPixels;
-        };
-        if (!size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
-            throwInput(CULLSCOPE_TR("%1: \"size\" must be two whole numbers from 1 to %2: width and height of the picture."),
-                       {m_file, std::to_string(kMostPixels)});
-        return Viewport{size[0].get<int>(), size[1].get<int>()};
     }
 
     DrawnSets::Triangles drawnAt(const Json& pose, bool& byObjects) const {
@@ -219,6 +220,12 @@ DrawnSets readDrawnSets(const std::filesystem::path& file, const Scene& scene) {
         throwInput(CULLSCOPE_TR("%1 holds a number that is too large."), {file.string()});
     }
     return Reader(file.string(), scene).read(root);
+}
+
+std::optional<Viewport> pictureSizeIn(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const Json root = Json::parse(in, nullptr, false);
+    return root.is_discarded() ? std::nullopt : sizeIn(root, file.string());
 }
 
 void writeDrawnSets(const std::filesystem::path& file, const WrittenSets& sets) {

@@ -16,6 +16,7 @@ struct DrawnSets {
     /// Ranges of scene triangle numbers [first, end), ascending and disjoint.
     using Triangles = std::vector<std::pair<uint64_t, uint64_t>>;
 
+    std::string file{};            ///< that they were read from
     CameraPath path;               ///< the poses that the file has beside the sets; none where it has only sets
     std::vector<Triangles> poses;  ///< what is drawn at each
     bool byObjects = true;         ///< whether every pose names objects
@@ -31,6 +32,10 @@ struct DrawnSets {
 /// Reads the JSON form (docs/files.md, "Drawn sets"): a camera path whose poses also list "objects", by number or name, or
 /// "triangles", by number or range. The cameras may be missing. Throws Error(Input) naming file, pose and entry.
 [[nodiscard]] DrawnSets readDrawnSets(const std::filesystem::path& file, const Scene& scene);
+
+/// The picture size that a file of cameras states, with drawn sets beside them or without; none: it states none, or is no file in
+/// JSON. Throws Error(Input) where it is no size.
+[[nodiscard]] std::optional<Viewport> pictureSizeIn(const std::filesystem::path& file);
 
 /// One pose of a file to be written.
 struct WrittenPose {

@@ -20,9 +20,10 @@ public:
     [[nodiscard]] const ScenePointer& scenePointer() const { return m_structure->scenePointer(); }
 
     [[nodiscard]] Promise promise() const { return m_strategy->promise(*m_structure, m_parameters, m_facing); }
-    /// Everything is drawn in a view that the strategy does not serve: that loses nothing.
+    /// Everything is drawn in a view that the strategy does not serve: that loses nothing. Of one that waits for its file it says
+    /// nothing.
     [[nodiscard]] Promise promiseAt(const View& view) const {
-        if (unserved(view.camera())) return Promise::Conservative;
+        if (unserved(view.camera())) return m_info.decidesByFile.empty() ? Promise::Conservative : Promise::Approximate;
         return m_strategy->promiseAt(*m_structure, m_parameters, m_facing, view);
     }
     /// Why it draws everything in the views of a camera; none where it decides.

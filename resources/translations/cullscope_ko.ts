@@ -7800,10 +7800,6 @@
         <translation>%1 프로그램을 시작할 수 없습니다: %2. Cullscope를 다시 설치하거나 빌드하십시오.</translation>
     </message>
     <message>
-        <source>%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps and experiments have no frames: measure them with --store.</source>
-        <translation>%1은(는) cullbench measure, race, certify의 결과 파일도 결과 저장소도 아닙니다. 스윕과 실험의 결과 파일에는 프레임이 없으니 --store로 측정하십시오.</translation>
-    </message>
-    <message>
         <source>numbers of windows</source>
         <translation>창의 수</translation>
     </message>
@@ -7922,6 +7918,14 @@
     <message>
         <source>%1 decides by a file: choose one as its parameter %2. Until then every triangle is drawn.</source>
         <translation>%1은(는) 파일에 따라 결정합니다: 매개변수 %2에서 파일을 고르십시오. 그때까지는 모든 삼각형을 그립니다.</translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps and experiments have no frames: measure them with --store. Of what a store exported, add that store.</source>
+        <translation>%1은(는) cullbench measure, race, certify의 결과 파일도 결과 저장소도 아닙니다. 스윕과 실험의 결과에는 프레임이 없습니다: --store로 측정하십시오. 저장소가 내보낸 것은 그 저장소를 더하십시오.</translation>
+    </message>
+    <message>
+        <source>Nothing of the scene is seen in any of these pictures: what is drawn cannot be judged by them. Give cameras that see it, or larger pictures.</source>
+        <translation>이 그림들 어디에서도 장면이 보이지 않습니다: 무엇을 그리는지 이것으로 판정할 수 없습니다. 장면이 보이는 카메라나 더 큰 그림을 주십시오.</translation>
     </message>
 </context>
 <context>

@@ -7800,10 +7800,6 @@
         <translation>无法启动 %1：%2。请重新安装或构建 Cullscope。</translation>
     </message>
     <message>
-        <source>%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps and experiments have no frames: measure them with --store.</source>
-        <translation>%1 不是 cullbench measure、race 或 certify 的结果文件，也不是结果库。扫描和实验的结果文件不含帧：请用 --store 测量。</translation>
-    </message>
-    <message>
         <source>numbers of windows</source>
         <translation>窗口数</translation>
     </message>
@@ -7922,6 +7918,14 @@
     <message>
         <source>%1 decides by a file: choose one as its parameter %2. Until then every triangle is drawn.</source>
         <translation>%1 根据文件作决定：请在其参数 %2 中选择文件。在此之前绘制所有三角形。</translation>
+    </message>
+    <message>
+        <source>%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps and experiments have no frames: measure them with --store. Of what a store exported, add that store.</source>
+        <translation>%1 既不是 cullbench measure、race 或 certify 的结果文件，也不是结果存储。扫描和实验的结果没有帧：请用 --store 测量。对于从存储导出的内容，请添加该存储。</translation>
+    </message>
+    <message>
+        <source>Nothing of the scene is seen in any of these pictures: what is drawn cannot be judged by them. Give cameras that see it, or larger pictures.</source>
+        <translation>这些图像中都看不到场景：无法据此评判所绘制的内容。请给出能看到场景的相机或更大的图像。</translation>
     </message>
 </context>
 <context>

@@ -81,6 +81,22 @@ TEST_F(CullbenchContract, suiteIsJudgedRightAndWhatIsMissingIsFound) {
     ASSERT_EQ(poses[3]["missing_objects"].size(), 1u);
     EXPECT_EQ(poses[3]["missing_objects"][0]["number"], missing);
     EXPECT_EQ(poses[2]["missing_objects"].size(), 0u);
+    // Who hands out the cameras says the size: a program's file cannot make the pictures too small to see what it leaves out.
+    less["size"] = {1, 1};
+    std::ofstream(file("small.json")) << less;
+    const ProcessResult handedOut =
+        cullbench({"judge", scene, "--drawn", file("small.json"), "--path", required, "--json", file("handed.json")});
+    EXPECT_EQ(handedOut.exitStatus, 1) << handedOut.out;
+    EXPECT_EQ(jsonOf(file("handed.json"))["summary"], jsonOf(file("wrong.json"))["summary"]);
+    EXPECT_EQ(jsonOf(file("handed.json"))["size"], json({320, 240}));
+    EXPECT_EQ(jsonOf(file("handed.json"))["drawn"], file("small.json"));
+    // Where nothing is seen, nothing is judged.
+    json away = json{{"poses", json::array()}};
+    away["poses"].push_back({{"eye", {0, 0, 1e6}}, {"target", {0, 0, 2e6}}, {"up", {0, 1, 0}}, {"objects", json::array()}});
+    std::ofstream(file("away.json")) << away;
+    const ProcessResult unseen = cullbench({"judge", scene, "--drawn", file("away.json"), "--size", "64x48"});
+    EXPECT_EQ(unseen.exitStatus, 1);
+    EXPECT_THAT(unseen.out, HasSubstr("cannot be judged"));
     // The same as a strategy, in which the other program's loss is a strategy's.
     const ProcessResult recorded = cullbench({"measure", scene, "-s", "recorded", "-p", "file=" + file("less.json"), "--path",
                                               required, "--size", "320x240", "--repeat", "1", "--json", file("recorded.json")});
@@ -90,6 +106,7 @@ TEST_F(CullbenchContract, suiteIsJudgedRightAndWhatIsMissingIsFound) {
         EXPECT_EQ(frames[pose]["missed_pixels"], poses[pose]["missed_pixels"]) << pose;
     EXPECT_GT(frames[3]["missed_pixels"], 0);
     expectRefusal(cullbench({"measure", scene, "-s", "recorded", "-p", "file=" + file("none.json")}), 3, "none.json");
+    expectRefusal(cullbench({"measure", scene, "-s", "recorded", "-p", "file="}), 2, "file is the name of a file");
     expectRefusal(judged(file("none.json")), 3, "none.json");
     expectRefusal(cullbench({"judge", scene, "--drawn", required, "--facing", "back"}), 2, "--facing");
 }
@@ -114,6 +131,8 @@ TEST_F(CullbenchContract, certifiedShardsAreMergedAndGoOn) {
     expectRefusal(cullbench({"certify", "frustum", "--shard", "3/2"}), 2, "--shard 3/2");
     expectRefusal(cullbench({"certify", "frustum", "--merge", file("shard-1.json")}), 2, "--merge");
     expectRefusal(cullbench({"certify", "frustum", "--state", file("shard-1.json")}), 2, "another run");
+    EXPECT_THAT(cullbench({"certify", "recorded", "--views", "50"}).out, HasSubstr("0 views within its promise"))
+        << "it decides nothing without its file";
     const ProcessResult nothing = cullbench({"certify", "level-of-detail", "--views", "50"});
     EXPECT_EQ(nothing.exitStatus, 0);
     EXPECT_THAT(nothing.out, HasSubstr("nothing to certify"));

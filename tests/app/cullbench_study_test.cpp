@@ -77,7 +77,8 @@ TEST_F(Study, partsAreBroughtTogetherInOneStore) {
     }
     const ProcessResult added = cullbench({"store", file("all"), "add", file("part-1"), file("part-2")});
     EXPECT_EQ(added.exitStatus, 0) << added.err;
-    EXPECT_THAT(added.out, AllOf(HasSubstr("measurement 3"), HasSubstr("battery 1"), HasSubstr("certificate 2"), Not(HasSubstr("already"))));
+    EXPECT_THAT(added.out,
+                AllOf(HasSubstr("measurement 3"), HasSubstr("battery 1"), HasSubstr("certificate 2"), Not(HasSubstr("already"))));
     const ResultStore all(file("all"), kExisting);
     std::vector<std::string> experiments;
     for (const store::Listed& one : all.list()) experiments.push_back(one.origin.experiment);

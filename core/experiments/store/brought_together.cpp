@@ -132,7 +132,7 @@ Added ResultStore::addFile(const std::string& json, const std::string& file, con
     } catch (const ResultFields::exception&) {
         throwInput(
             CULLSCOPE_TR("%1 is no result file of cullbench measure, race or certify, and no result store. Those of sweeps "
-                         "and experiments have no frames: measure them with --store."),
+                         "and experiments have no frames: measure them with --store. Of what a store exported, add that store."),
             {file});
     }
 }

@@ -46,7 +46,7 @@ const StoredRun& runOf(const Stored& stored, const std::string& strategy) {
     const StoredRun* const run = stored.find(strategy);
     if (run == nullptr) {
         std::string known;
-        for (const std::string& each : stored.listed.strategies) known += (known.empty() ? "" : ", ") + each;
+        for (const StoredRun& each : stored.runs) known += (known.empty() ? "" : ", ") + each.strategy;
         throwUsage(CULLSCOPE_TR("Measurement %1 has no run of %2. It has: %3."),
                    {std::to_string(stored.listed.number), strategy, known});
     }

@@ -1,5 +1,6 @@
 #include "core/experiments/store/database.h"
 
+#include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <cerrno>
@@ -29,7 +30,11 @@ Database::Database(const std::filesystem::path& file, Access access) : m_file(fi
     const std::string name = file.is_absolute() ? file.string() : "./" + file.string();
     const int opened = sqlite3_open_v2(name.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | mayMake, nullptr);
     m_handle.reset(handle);
-    if (opened != SQLITE_OK) fail(opened);
+    if (access == Access::Existing && (opened != SQLITE_OK || !isReadable()))
+        openToRead();
+    else if (opened != SQLITE_OK)
+        fail(opened);
+    handle = m_handle.get();
     sqlite3_busy_timeout(handle, int(kPatience.count()));
     // What a file claims of itself is not trusted: its text must not call functions, nor may writing change its pages by hand.
     sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -37,6 +42,33 @@ Database::Database(const std::filesystem::path& file, Access access) : m_file(fi
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
     sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
     run("PRAGMA cell_size_check = ON");
+}
+
+bool Database::isReadable() const {
+    // To read a log SQLite writes an index of it beside the file.
+    const int answer = sqlite3_exec(m_handle.get(), "PRAGMA schema_version", nullptr, nullptr, nullptr) & 0xff;
+    return answer != SQLITE_IOERR && answer != SQLITE_FULL && answer != SQLITE_READONLY && answer != SQLITE_CANTOPEN &&
+           answer != SQLITE_PERM;
+}
+
+void Database::openToRead() {
+    std::string name = "file:";
+    for (const char letter : std::filesystem::absolute(m_file).string()) {
+        constexpr std::string_view kOfAddresses = "%?#";
+        if (kOfAddresses.find(letter) == std::string_view::npos)
+            name += letter;
+        else
+            name += fmt::format("%{:02X}", int(letter));
+    }
+    // Without a log nothing else is written or locked.
+    std::error_code none;
+    const auto log = std::filesystem::file_size(m_file.string() + "-wal", none);
+    name += none || log == 0 ? "?mode=ro&immutable=1" : "?mode=ro";
+    sqlite3* handle = nullptr;
+    const int opened =
+        sqlite3_open_v2(name.c_str(), &handle, SQLITE_OPEN_READONLY | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_URI, nullptr);
+    m_handle.reset(handle);
+    if (opened != SQLITE_OK) fail(opened);
 }
 
 void Database::run(const char* sql) const {

@@ -17,7 +17,7 @@ class Database {
 public:
     enum class Access {
         Write,     ///< a file that is not there is made
-        Existing,  ///< the file must be there
+        Existing,  ///< the file must be there; where it cannot be written it can be read
     };
     /// Waits up to half a minute for other programs that write. Throws Error(Input) for what is no database.
     Database(const std::filesystem::path& file, Access access);
@@ -38,6 +38,10 @@ private:
     struct Close {
         void operator()(sqlite3* database) const;
     };
+    /// False: SQLite cannot read it, for it cannot write beside it, as in a folder of others or on a full disk.
+    [[nodiscard]] bool isReadable() const;
+    void openToRead();
+
     std::filesystem::path m_file;
     std::unique_ptr<sqlite3, Close> m_handle;
 };

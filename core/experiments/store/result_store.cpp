@@ -53,6 +53,9 @@ std::string timeText(std::chrono::sys_time<std::chrono::milliseconds> now) {
 }
 
 ResultStore::ResultStore(const std::filesystem::path& file, Database::Access access) : m_database(file, access) {
+    // An empty file would become a store.
+    std::error_code unknown;
+    if (access == Database::Access::Existing && std::filesystem::file_size(file, unknown) == 0 && !unknown) m_database.refuse();
     bringToVersion();
 }
 

@@ -70,7 +70,7 @@ struct Stored {
     Listed listed;
     std::vector<StoredRun> runs;
 
-    /// The run of a strategy that was asked for; null: there is none.
+    /// The run of a strategy, baselines that were not asked for and the limit included; null: there is none.
     [[nodiscard]] const StoredRun* find(const std::string& strategy) const;
 };
 

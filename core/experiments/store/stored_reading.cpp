@@ -154,8 +154,7 @@ void summarize(Stored& stored) {
 }  // namespace
 
 const StoredRun* Stored::find(const std::string& strategy) const {
-    const auto found = std::ranges::find_if(
-        runs, [&](const StoredRun& run) { return (run.askedFor || run.isLimit) && run.strategy == strategy; });
+    const auto found = std::ranges::find(runs, strategy, &StoredRun::strategy);
     return found == runs.end() ? nullptr : &*found;
 }
 

@@ -111,6 +111,7 @@ CullingKind Judgement::kind() const {
         inView += pose.leftOutInView;
     }
     if (sum.missedPixels > 0 || sum.falselyCulledTriangles > 0) return CullingKind::Lossy;
+    if (sum.coveredPixels == 0) return CullingKind::Unseen;
     // By triangles, parts of objects are left out, too: what is not visible of those that are drawn.
     if (inView > 0 || !byObjects) return CullingKind::Occlusion;
     return leftOut > 0 ? CullingKind::Frustum : CullingKind::None;
@@ -157,6 +158,10 @@ Message kindSentence(const Judgement& judgement) {
         case CullingKind::Occlusion:
             return {CULLSCOPE_TR("Occlusion culling: what is left out in view is not seen, and nothing that is seen is missing."),
                     {}};
+        case CullingKind::Unseen:
+            return {CULLSCOPE_TR("Nothing of the scene is seen in any of these pictures: what is drawn cannot be judged by them. "
+                                 "Give cameras that see it, or larger pictures."),
+                    {}};
         case CullingKind::Lossy:
             break;
     }
@@ -194,7 +199,7 @@ std::string judgementText(const Judgement& judgement, const JudgeRequest& reques
 }
 
 std::string judgementJson(const Judgement& judgement, const JudgeRequest& request, const GlInfo& gl) {
-    constexpr std::array kKinds{"none", "frustum", "occlusion", "lossy"};
+    constexpr std::array kKinds{"none", "frustum", "occlusion", "lossy", "nothing_seen"};
     const auto figures = [](const Accuracy& one) {
         return Json{{"covered_pixels", one.coveredPixels},
                     {"missed_pixels", one.missedPixels},
@@ -223,17 +228,21 @@ std::string judgementJson(const Judgement& judgement, const JudgeRequest& reques
     summary["missed_pixel_rate"] = share(judgement.total().missedPixels, judgement.total().coveredPixels);
     summary["false_negative_rate"] = share(judgement.total().falselyCulledTriangles, judgement.total().visibleTriangles);
     summary["waste"] = share(judgement.total().needlesslyDrawnTriangles, judgement.total().submittedTriangles);
-    const Json root{{"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
-                    {"machine", {{"gl_renderer", gl.renderer}, {"gl_version", gl.version}}},
-                    {"scene", {{"name", request.scene->name()}, {"triangles", request.scene->triangleCount()}}},
-                    {"path", request.path.name},
-                    {"by", judgement.byObjects ? "objects" : "triangles"},
-                    {"facing", facingId(request.facing)},
-                    {"kind", kKinds[size_t(judgement.kind())]},
-                    {"sentence", kindSentence(judgement).english()},
-                    {"right", judgement.right()},
-                    {"poses", std::move(poses)},
-                    {"summary", std::move(summary)}};
+    const Json root{
+        {"tool", {{"name", "cullscope"}, {"version", toolVersion().version}, {"commit", toolVersion().commit}}},
+        {"machine", {{"gl_renderer", gl.renderer}, {"gl_version", gl.version}}},
+        {"scene",
+         {{"name", request.scene->name()}, {"sha256", request.scene->sha256()}, {"triangles", request.scene->triangleCount()}}},
+        {"drawn", request.drawn.file},
+        {"path", request.path.name},
+        {"size", {request.size.width, request.size.height}},
+        {"by", judgement.byObjects ? "objects" : "triangles"},
+        {"facing", facingId(request.facing)},
+        {"kind", kKinds[size_t(judgement.kind())]},
+        {"sentence", kindSentence(judgement).english()},
+        {"right", judgement.right()},
+        {"poses", std::move(poses)},
+        {"summary", std::move(summary)}};
     return root.dump(2) + "\n";
 }
 

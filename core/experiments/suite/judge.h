@@ -43,7 +43,8 @@ enum class CullingKind {
     None,       ///< nothing is left out
     Frustum,    ///< only what lies outside the view
     Occlusion,  ///< also what lies in the view and is not seen, and nothing that is seen
-    Lossy       ///< something that is seen is missing
+    Lossy,      ///< something that is seen is missing
+    Unseen      ///< unknown: no pixel shows anything of the scene
 };
 
 struct Judgement {
@@ -52,6 +53,7 @@ struct Judgement {
 
     [[nodiscard]] Accuracy total() const;  ///< summed over the poses; the largest hole of any
     [[nodiscard]] CullingKind kind() const;
+    /// Nothing that is seen is missing; so, too, where nothing is seen.
     [[nodiscard]] bool right() const { return kind() != CullingKind::Lossy; }
     /// The pose with the most missed pixels; none where none are missed.
     [[nodiscard]] std::optional<size_t> worstPose() const;

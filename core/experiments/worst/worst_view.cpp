@@ -213,7 +213,10 @@ private:
 CameraPath WorstResult::path(size_t most) const {
     std::vector<size_t> order(views.size());
     std::iota(order.begin(), order.end(), size_t(0));
-    std::ranges::stable_sort(order, [&](size_t one, size_t other) { return worse(views[one].value, views[other].value); });
+    std::ranges::stable_sort(order, [&](size_t one, size_t other) {
+        if (one == worst || other == worst) return one == worst && other != worst;
+        return worse(views[one].value, views[other].value);
+    });
     CameraPath path = lens;
     for (size_t i = 0; i < std::min(most, order.size()); ++i) path.poses.push_back(views[order[i]].pose);
     return path;

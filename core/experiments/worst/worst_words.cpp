@@ -175,6 +175,7 @@ std::string worstJson(const WorstResult& result) {
     for (const CameraPath::Pose& pose : path.poses)
         json["poses"].push_back(
             {{"eye", vectorJson(pose.eye)}, {"target", vectorJson(pose.target)}, {"up", vectorJson(pose.up)}});
+    const bool counted = result.request.of == Of::Missed;
     for (const TriedView& view : result.views)
         json["views"].push_back({{"azimuth_deg", view.azimuth()},
                                  {"elevation_deg", view.elevation()},
@@ -183,8 +184,8 @@ std::string worstJson(const WorstResult& result) {
                                  {"eye", vectorJson(view.pose.eye)},
                                  {"target", vectorJson(view.pose.target)},
                                  {"value", view.value},
-                                 {"lost_pixels", view.lostPixels},
-                                 {"covered_pixels", view.coveredPixels}});
+                                 {"lost_pixels", counted ? Json(view.lostPixels) : Json(nullptr)},
+                                 {"covered_pixels", counted ? Json(view.coveredPixels) : Json(nullptr)}});
     return plainJson(json.dump(1, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 

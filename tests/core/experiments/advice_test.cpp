@@ -212,6 +212,9 @@ TEST(WorstView, saysThatNothingWasLostAsSoManyViews) {
     EXPECT_GE(ratio.confirmed->ci95[1], ratio.confirmed->ratio);
     EXPECT_LT(std::ranges::count_if(ratio.views, [&](const auto& view) { return view.value < ratio.views[ratio.worst].value; }),
               5);
+    const auto json = nlohmann::json::parse(worst::worstJson(ratio));
+    EXPECT_EQ(json["poses"][0]["eye"][0], ratio.views[ratio.worst].pose.eye.x) << "the first pose is the one that is stated";
+    EXPECT_TRUE(json["views"][0]["covered_pixels"].is_null()) << "none is counted where times are compared";
     EXPECT_THAT(worst::worstText(ratio), testing::ContainsRegex("[0-9]+\\.[0-9]+ \\[[0-9]+\\.[0-9]+, "));
     request.of = worst::Of::Missed;
     request.views = 3;

@@ -88,6 +88,11 @@ TEST(FieldFigures, anEventLastsAsLongAsAnObjectLosesPixels) {
     EXPECT_DOUBLE_EQ(valueOf(estimates, "popping_events_per_1000_frames"), 3.0 / 6.0 * 1000.0);
     EXPECT_DOUBLE_EQ(valueOf(estimates, "popping_pixels"), (9.0 + 1.0 + 5.0) / 3.0);
     EXPECT_DOUBLE_EQ(valueOf(estimates, "popping_frames"), (3.0 + 1.0 + 1.0) / 3.0);
+    EXPECT_TRUE(estimates[fieldFigurePlace("popping_pixels")]->hasInterval);
+    // Of a single event there is nothing to resample.
+    const FieldEstimates ofOne = fieldEstimates(std::span(frames).subspan(4));
+    EXPECT_DOUBLE_EQ(valueOf(ofOne, "popping_pixels"), 5.0);
+    EXPECT_FALSE(ofOne[fieldFigurePlace("popping_pixels")]->hasInterval);
     EXPECT_DOUBLE_EQ(valueOf(estimates, "popping_pixel_rate"), 12.0 / 600.0);
 }
 
