@@ -84,10 +84,10 @@ public:
     }
 
     void add(const ResultTable& table) {
-        std::string command = "cullbench reproduce " + table.experiment;
-        if (!m_options.scene.empty()) command += " '" + m_options.scene + "'";
-        if (m_options.repeat > 0) command += fmt::format(" --repeat {}", m_options.repeat);
-        m_report.tables.push_back({table, command});
+        std::vector<std::string> words{"reproduce", table.experiment};
+        if (!m_options.scene.empty()) words.push_back(m_options.scene);
+        if (m_options.repeat > 0) words.insert(words.end(), {"--repeat", std::to_string(m_options.repeat)});
+        m_report.tables.push_back({table, command(words)});
         write();
     }
     void addFailure(const Message& why) {
@@ -118,8 +118,16 @@ private:
         look.say = [catalogue = Catalogue("en")](const Words& words) { return catalogue.say(words); };
         const han_hong::Figure figure = han_hong::figure(han_hong::figureRequest(number, scene), look, {nullptr, m_context.stop});
         m_report.figures.push_back({han_hong::figureTitle(number), figure.data.source, pageSvg(figure.page),
-                                    fmt::format("cullbench figure {} -o figure-{}.svg", number, number)});
+                                    command({"figure", std::to_string(number), "-o", fmt::format("figure-{}.svg", number)})});
         write();
+    }
+    /// That finds the models which this one finds.
+    [[nodiscard]] std::string command(const std::vector<std::string>& words) const {
+        std::vector<std::string> all;
+        for (const std::filesystem::path& folder : m_context.sceneOptions.modelFolders)
+            all.insert(all.end(), {"--models", folder.string()});
+        all.insert(all.end(), words.begin(), words.end());
+        return commandLine(all);
     }
     /// Before the first table there is nothing that could stand in the place of an older report.
     void write() const {

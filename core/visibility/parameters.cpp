@@ -90,9 +90,7 @@ bool parse(ParameterType type, std::string_view text, ParameterValue& value) {
         case ParameterType::Real:
             return parseNumber<double>(text, value);
         case ParameterType::Choice:
-            break;
         case ParameterType::File:
-            if (text.empty()) return false;
             break;
     }
     value = std::string(text);

@@ -30,7 +30,7 @@ std::string written(const StrategyRequest& strategy, char separator) {
 
 std::pair<std::string, std::string> keyAndValue(std::string_view text) {
     const size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals == 0)
+    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size())
         throwUsage(CULLSCOPE_TR("\"%1\" is not of the form key=value."), {std::string(text)});
     return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }

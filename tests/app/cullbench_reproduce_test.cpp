@@ -162,5 +162,16 @@ TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
                                        HasSubstr("src=\"data:image/svg+xml;base64,"), testing::EndsWith("</html>\n")));
 }
 
+TEST_F(CullbenchContract, commandsOfAReportFindTheModelsThatItFound) {
+    const std::string folder = file("my models");
+    std::filesystem::create_directory(folder);
+    ASSERT_EQ(
+        cullbench({"--models", folder, "reproduce", "table-1", "star:seed=7,triangles=500", "-o", file("m.html")}).exitStatus, 0);
+    std::ifstream html(file("m.html"));
+    const std::string report((std::istreambuf_iterator<char>(html)), std::istreambuf_iterator<char>());
+    EXPECT_THAT(report, testing::ContainsRegex(
+                            "<pre>cullbench --models [^<]*my models[^<]* reproduce table-1 star:seed=7,triangles=500</pre>"));
+}
+
 }  // namespace
 }  // namespace cullscope::test::cullbench_reproduce_test
