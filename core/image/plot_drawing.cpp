@@ -24,11 +24,11 @@ constexpr double kDot = 2.5;
 constexpr double kGapFrom = 4.0;  // width of a bar
 constexpr size_t kMostDots = 60;
 
-// After Okabe and Ito, darkened or lightened for the contrast.
+// After Okabe and Ito, darkened or lightened for the contrast; the sixth is a grey, as their second blue is too near the first.
 constexpr std::array<PlotColour, 8> kOnLight{0xFF0072B2, 0xFFC44E00, 0xFF00805A, 0xFFA8447E,
-                                             0xFF7A5C00, 0xFF2E86C8, 0xFF5B3FA8, 0xFF8A2B2B};
+                                             0xFF7A5C00, 0xFF55606A, 0xFF5B3FA8, 0xFF8A2B2B};
 constexpr std::array<PlotColour, 8> kOnDark{0xFF56B4E9, 0xFFFF9A4D, 0xFF2BD4A4, 0xFFF0A6D0,
-                                            0xFFF0E442, 0xFF8FC7FF, 0xFFB79CFF, 0xFFFF8A8A};
+                                            0xFFF0E442, 0xFFC8CCD0, 0xFFB79CFF, 0xFFFF8A8A};
 
 /// Black or white letters, whichever contrasts more with a ground.
 PlotColour lettersOn(PlotColour ground) { return isLight(colourFromHexadecimal(ground & 0xFFFFFF)) ? 0xFF111111 : 0xFFFFFFFF; }

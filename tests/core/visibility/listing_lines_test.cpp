@@ -6,6 +6,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "tests/support/culler.h"
+#include "tests/support/every_second_object.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/random_polygons.h"
@@ -32,8 +33,6 @@ constexpr WithoutDecision kWithoutDecision[] = {
     {"depth-buffer", 1},
     {"frustum-select", 1},
     {"frustum-query", 1},
-    // Without a file nothing is left out.
-    {"recorded", 4},
 };
 
 struct Shot {
@@ -103,7 +102,8 @@ std::set<int> linesReached(const RegisteredStrategy& strategy, const std::vector
                            const std::vector<Shot>& shots) {
     std::set<int> reached;
     for (const Shot& shot : shots) {
-        ParameterSet front(strategy.info.parameters);
+        const EverySecondObject sets(*shot.scene);
+        ParameterSet front = sets.parametersOf(strategy.info);
         const bool sided = std::ranges::any_of(strategy.info.parameters, [](const auto& one) { return one.key == "facing"; });
         if (sided) front.setFromText("facing", "front");
         Culler culler(strategy, front);

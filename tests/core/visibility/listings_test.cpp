@@ -8,6 +8,7 @@
 #include "core/spatial/instance_octree.h"
 #include "tests/support/culler.h"
 #include "tests/support/decisions.h"
+#include "tests/support/every_second_object.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/test_scenes.h"
@@ -36,10 +37,11 @@ View ahead() {
 Culled recorded(Culler& culler) { return culler.cull(ahead(), Recording::On, &GlEnvironment::renderer()); }
 
 std::map<std::string, CullerPointer> withListings(const Scene& scene) {
+    const EverySecondObject sets(scene);
     std::map<std::string, CullerPointer> cullers;
     for (const RegisteredStrategy& strategy : strategies()) {
         if (strategy.info.first(Show::Kind::Listing) == nullptr || unavailable(strategy.info, GlEnvironment::info())) continue;
-        cullers[strategy.info.id] = makeCuller(strategy.info.id);
+        cullers[strategy.info.id] = makeCuller(strategy.info.id, sets.parametersOf(strategy.info));
         cullers[strategy.info.id]->build(scene);
     }
     return cullers;
