@@ -55,7 +55,7 @@ using GivenParameters = std::set<std::pair<const StrategyRequest*, std::string>>
 
 /// Applies `A.key=value` to every strategy A, and `key=value` to every strategy that has the key.
 void apply(const std::string& text, std::vector<StrategyRequest>& requests, GivenParameters& given) {
-    const auto [name, value] = keyAndValue(text);
+    const auto [name, value] = parameterAndValue(text);
     const size_t dot = name.find('.');
     const std::string id = dot == std::string::npos ? "" : name.substr(0, dot);
     const std::string key = dot == std::string::npos ? name : name.substr(dot + 1);

@@ -30,9 +30,15 @@ std::string written(const StrategyRequest& strategy, char separator) {
 
 std::pair<std::string, std::string> keyAndValue(std::string_view text) {
     const size_t equals = text.find('=');
-    if (equals == std::string_view::npos || equals == 0 || equals + 1 == text.size())
+    if (equals == std::string_view::npos || equals == 0)
         throwUsage(CULLSCOPE_TR("\"%1\" is not of the form key=value."), {std::string(text)});
     return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+std::pair<std::string, std::string> parameterAndValue(std::string_view text) {
+    std::pair<std::string, std::string> parameter = keyAndValue(text);
+    if (parameter.second.empty()) throwUsage(CULLSCOPE_TR("\"%1\" is not of the form key=value."), {std::string(text)});
+    return parameter;
 }
 
 const RegisteredStrategy& strategyOf(const StrategyRequest& request) {
@@ -49,7 +55,8 @@ StrategyRequest strategyFromText(std::string_view text) {
     std::set<std::string> given;
     while (colon != std::string_view::npos) {
         const size_t next = text.find(':', colon + 1);
-        const auto [key, value] = keyAndValue(text.substr(colon + 1, next == std::string_view::npos ? next : next - colon - 1));
+        const auto [key, value] =
+            parameterAndValue(text.substr(colon + 1, next == std::string_view::npos ? next : next - colon - 1));
         request.parameters.setFromText(key, value);
         if (!given.insert(key).second) throwUsage(CULLSCOPE_TR("%1: %2 is given twice."), {std::string(text), key});
         colon = next;

@@ -46,5 +46,7 @@ struct StrategyRequest {
 
 /// "key=value" in its parts. Throws Error(Usage) where there is no '=' or nothing before it.
 [[nodiscard]] std::pair<std::string, std::string> keyAndValue(std::string_view text);
+/// Of a parameter, whose value is not empty on a command line.
+[[nodiscard]] std::pair<std::string, std::string> parameterAndValue(std::string_view text);
 
 }  // namespace cullscope
