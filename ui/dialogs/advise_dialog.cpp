@@ -13,6 +13,7 @@
 
 #include "core/experiments/reports.h"
 #include "core/measure/field_figures.h"
+#include "ui/look/row_table.h"
 #include "ui/plots/plot_file.h"
 #include "ui/statistics/history_store.h"
 #include "ui/text/translated.h"
@@ -151,20 +152,12 @@ void AdviseDialog::setUpTop(QLayout& layout) {
 }
 
 void AdviseDialog::setUpTable() {
-    m_table->setColumnCount(AdviceColumns);
-    m_table->setHorizontalHeaderLabels({tr("Strategy"), tr("Promise"), tr("× everything"), tr("Headroom"), tr("Frame"),
-                                        tr("Missed per million"), tr("Build time"), tr("Structure"), tr("Paid back, frames"),
-                                        tr("How it came out")});
+    setUpRows(*m_table, {tr("Strategy"), tr("Promise"), tr("× everything"), tr("Headroom"), tr("Frame"), tr("Missed per million"),
+                         tr("Build time"), tr("Structure"), tr("Paid back, frames"), tr("How it came out")});
     m_table->horizontalHeaderItem(Headroom)->setToolTip(tr("Share of the time saved that any culling could save"));
     m_table->setAccessibleName(tr("Strategies by their speed"));
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setAlternatingRowColors(true);
-    m_table->setTabKeyNavigation(false);
-    m_table->verticalHeader()->setVisible(false);
     m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);
-    m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &AdviseDialog::showState);
     connect(m_table, &QTableWidget::cellActivated, this, &AdviseDialog::showChosen);

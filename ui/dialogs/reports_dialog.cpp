@@ -15,6 +15,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/experiments/store/result_store.h"
+#include "ui/look/row_table.h"
 #include "ui/statistics/history_store.h"
 
 namespace cullscope::ui {
@@ -46,15 +47,8 @@ ReportsDialog::ReportsDialog(Session& session, QWidget* parent)
       m_export(new QPushButton(tr("Export…"), this)) {
     setWindowTitle(tr("Kept reports"));
     const QStringList titles{tr("Number"), tr("When"), tr("Kind"), tr("Scene"), tr("Strategy")};
-    m_table->setColumnCount(int(titles.size()));
-    m_table->setHorizontalHeaderLabels(titles);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
+    setUpRows(*m_table, titles);
     m_table->setAccessibleName(windowTitle());
-    m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setStretchLastSection(true);
     m_words->setReadOnly(true);
     m_words->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_words->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "ui/look/row_table.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -67,15 +68,9 @@ ComparisonDialog::ComparisonDialog(const store::Stored& a, const store::Stored& 
 void ComparisonDialog::fill() {
     const QStringList titles{tr("Strategy"),    tr("Poses"),       tr("A, ms"),       tr("B, ms"),
                              tr("× of B to A"), tr("Missed by A"), tr("Missed by B"), tr("What the interval says")};
-    m_table->setColumnCount(int(titles.size()));
-    m_table->setHorizontalHeaderLabels(titles);
+    setUpRows(*m_table, titles);
     m_table->setRowCount(int(m_compared.size()));
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setTabKeyNavigation(false);
     m_table->setAccessibleName(windowTitle());
-    m_table->verticalHeader()->hide();
     const QLocale locale;
     for (int row = 0; row < int(m_compared.size()); ++row) {
         const store::Compared& each = m_compared[size_t(row)];
@@ -103,7 +98,6 @@ void ComparisonDialog::fill() {
         }
     }
     m_table->resizeColumnsToContents();
-    m_table->horizontalHeader()->setStretchLastSection(true);
 }
 
 void ComparisonDialog::showPlot(int row) {

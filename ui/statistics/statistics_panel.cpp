@@ -16,6 +16,7 @@
 #include "ui/statistics/run_figures.h"
 #include "ui/statistics/sphere_map.h"
 #include "ui/statistics/time_bar.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
