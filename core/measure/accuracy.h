@@ -80,7 +80,7 @@ struct ShownPixels {
 /// triangle is known, one within 1/64 pixel of its edges is explained, too, and one where the planes of both triangles, in
 /// double, meet within 1/128 pixel of the centre or are unresolved there, or where the picture's is the nearer one: OpenGL's
 /// floats may misplace the depth of a sliver thousands of pixels long by much more than a rounding, in the reference as well.
-/// `backface` promises 0 for a closed mesh seen from outside.
+/// `backface` promises 0 for a closed mesh without pockets that are inside out, seen from outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
 /// Those pixels, ascending, rows from the bottom. `tile`: the part of the picture that reference and picture are of; left out:

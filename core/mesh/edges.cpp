@@ -1,6 +1,7 @@
 #include "core/mesh/edges.h"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "core/mesh/steps.h"
@@ -9,10 +10,21 @@
 namespace cullscope {
 namespace {
 
-/// The edges, bucketed by their lower vertex: entry = upper vertex · 2 + (1 when a triangle traverses it from upper to lower).
+/// The edges, bucketed by their lower vertex.
+template <typename Entry>
 struct EdgeBuckets {
     std::vector<size_t> starts;
-    std::vector<uint32_t> entries;
+    std::vector<Entry> entries;
+
+    [[nodiscard]] std::span<Entry> of(size_t vertex) {
+        return {entries.data() + starts[vertex], starts[vertex + 1] - starts[vertex]};
+    }
+};
+
+/// An edge of a triangle by its upper vertex.
+struct EdgeOfTriangle {
+    uint32_t upper, triangle;
+    auto operator<=>(const EdgeOfTriangle&) const = default;
 };
 
 template <typename Visit>
@@ -24,22 +36,26 @@ void forEachEdge(std::span<const uint32_t> indices, const std::vector<uint32_t>&
             const uint32_t b = welded[indices[3 * triangle + 1]];
             const uint32_t c = welded[indices[3 * triangle + 2]];
             if (a == b || b == c || c == a) continue;
-            visit(a, b);
-            visit(b, c);
-            visit(c, a);
+            visit(a, b, triangle);
+            visit(b, c, triangle);
+            visit(c, a, triangle);
         }
     });
 }
 
-EdgeBuckets bucketed(std::span<const uint32_t> indices, const std::vector<uint32_t>& welded, const Progress& progress) {
-    EdgeBuckets buckets;
+/// `make(from, to, triangle)`: the entry of an edge as a triangle traverses it.
+template <typename Entry, typename Make>
+EdgeBuckets<Entry> bucketed(std::span<const uint32_t> indices, const std::vector<uint32_t>& welded, const Progress& progress,
+                            Make&& make) {
+    EdgeBuckets<Entry> buckets;
     buckets.starts.assign(welded.size() + 2, 0);
-    forEachEdge(indices, welded, progress, [&](uint32_t from, uint32_t to) { ++buckets.starts[std::min(from, to) + 2]; });
+    forEachEdge(indices, welded, progress,
+                [&](uint32_t from, uint32_t to, size_t /*triangle*/) { ++buckets.starts[std::min(from, to) + 2]; });
     for (size_t vertex = 2; vertex < buckets.starts.size(); ++vertex) buckets.starts[vertex] += buckets.starts[vertex - 1];
     // While the buckets are filled, starts[v + 1] is the next free place of bucket v; afterwards it is its end.
     buckets.entries.resize(buckets.starts.back());
-    forEachEdge(indices, welded, progress, [&](uint32_t from, uint32_t to) {
-        buckets.entries[buckets.starts[std::min(from, to) + 1]++] = 2 * std::max(from, to) + (from > to ? 1 : 0);
+    forEachEdge(indices, welded, progress, [&](uint32_t from, uint32_t to, size_t triangle) {
+        buckets.entries[buckets.starts[std::min(from, to) + 1]++] = make(from, to, triangle);
     });
     return buckets;
 }
@@ -61,17 +77,45 @@ void countBucket(std::span<const uint32_t> sorted, EdgeCounts& counts) {
 
 EdgeCounts countEdges(std::span<const Vec3f> positions, std::span<const uint32_t> indices, const Progress& progress) {
     const std::vector<uint32_t> welded = firstOfEqualPositions(positions, progress);
-    EdgeBuckets buckets = bucketed(indices, welded, progress);
+    // An entry: the upper vertex · 2, and 1 where a triangle traverses the edge from it to the lower one.
+    auto buckets = bucketed<uint32_t>(indices, welded, progress, [](uint32_t from, uint32_t to, size_t /*triangle*/) {
+        return 2 * std::max(from, to) + (from > to ? 1 : 0);
+    });
     EdgeCounts counts;
     inSteps(positions.size(), progress, [&](size_t begin, size_t end) {
         for (size_t vertex = begin; vertex < end; ++vertex) {
-            const std::span<uint32_t> bucket(buckets.entries.data() + buckets.starts[vertex],
-                                             buckets.starts[vertex + 1] - buckets.starts[vertex]);
-            sortInSteps(bucket, progress);
-            countBucket(bucket, counts);
+            sortInSteps(buckets.of(vertex), progress);
+            countBucket(buckets.of(vertex), counts);
         }
     });
     return counts;
+}
+
+std::vector<uint32_t> edgeComponents(std::span<const Vec3f> positions, std::span<const uint32_t> indices,
+                                     const Progress& progress) {
+    const std::vector<uint32_t> welded = firstOfEqualPositions(positions, progress);
+    auto buckets = bucketed<EdgeOfTriangle>(indices, welded, progress, [](uint32_t from, uint32_t to, size_t triangle) {
+        return EdgeOfTriangle{std::max(from, to), static_cast<uint32_t>(triangle)};
+    });
+    std::vector<uint32_t> component(indices.size() / 3);
+    std::iota(component.begin(), component.end(), 0U);
+    const auto first = [&](uint32_t triangle) {
+        while (component[triangle] != triangle) triangle = component[triangle] = component[component[triangle]];
+        return triangle;
+    };
+    inSteps(positions.size(), progress, [&](size_t begin, size_t end) {
+        for (size_t vertex = begin; vertex < end; ++vertex) {
+            const std::span<EdgeOfTriangle> bucket = buckets.of(vertex);
+            sortInSteps(bucket, progress);
+            for (size_t i = 1; i < bucket.size(); ++i) {
+                if (bucket[i].upper != bucket[i - 1].upper) continue;
+                const auto [lower, higher] = std::minmax({first(bucket[i - 1].triangle), first(bucket[i].triangle)});
+                component[higher] = lower;
+            }
+        }
+    });
+    for (uint32_t triangle = 0; triangle < component.size(); ++triangle) component[triangle] = first(triangle);
+    return component;
 }
 
 }  // namespace cullscope

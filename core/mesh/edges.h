@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/geometry/types.h"
@@ -19,5 +20,10 @@ struct EdgeCounts {
 /// positions. Throws Error(Interrupted) on a stop request.
 [[nodiscard]] EdgeCounts countEdges(std::span<const Vec3f> positions, std::span<const uint32_t> indices,
                                     const Progress& progress);
+
+/// For each triangle the first one that it is connected with over edges, by the same vertices; a triangle that was skipped is
+/// connected with itself. Throws as above.
+[[nodiscard]] std::vector<uint32_t> edgeComponents(std::span<const Vec3f> positions, std::span<const uint32_t> indices,
+                                                   const Progress& progress);
 
 }  // namespace cullscope

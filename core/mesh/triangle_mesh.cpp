@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "core/mesh/edges.h"
+#include "core/mesh/inside_out.h"
 #include "core/mesh/normals.h"
 
 namespace cullscope {
@@ -69,6 +70,12 @@ const Topology& TriangleMesh::topology() const {
         m_topology.outward = signedVolume(m_data.positions, m_data.indices, m_localBounds) > 0.0;
     });
     return m_topology;
+}
+
+Pockets TriangleMesh::pockets(const Progress& progress) const {
+    if (!topology().closed || !topology().consistentlyOriented) return Pockets::NotProven;
+    std::call_once(m_pocketsOnce, [&] { m_pockets = pocketsInsideOut(*this, progress); });
+    return m_pockets;
 }
 
 size_t TriangleMesh::bytes() const {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/geometry/bounds.h"
 
 namespace cullscope {
@@ -20,8 +21,17 @@ struct Topology {
     bool consistentlyOriented = false;
     bool outward = false;  ///< whether the signed volume is positive (meaningful for closed meshes)
 
-    /// Whether no back face can be visible from outside: the criterion of `facing = auto`.
+    /// Whether no back face can be visible from outside, unless the mesh has pockets that are inside out (TriangleMesh::pockets),
+    /// which are not looked for here: the criterion of `facing = auto`.
     [[nodiscard]] bool frontFacesSuffice() const { return closed && consistentlyOriented && outward; }
+};
+
+/// Whether parts of a closed mesh are inside out: their winding number is negative, as in folds that cross the rest of the mesh,
+/// or in a turned-over box beside others. A back face is seen where one is seen from outside.
+enum class Pockets {
+    None,
+    Found,
+    NotProven  ///< the mesh is not closed or not consistently oriented, or rounding left it open
 };
 
 /// Above this many triangles, analyses that the user did not request (closedness, ground truth in the desktop) are skipped.
@@ -59,6 +69,9 @@ public:
     [[nodiscard]] const Sphere& localSphere() const;
     /// Computed at the first call: O(triangles · log triangles), about 0.3 s and 24 bytes for each edge, for a million triangles.
     [[nodiscard]] const Topology& topology() const;
+    /// Looked for at the first call: about 1 s for a million triangles, in parallel. Throws Error(Interrupted) on a stop request;
+    /// the next call then looks again.
+    [[nodiscard]] Pockets pockets(const Progress& progress = {}) const;
     /// Size of the arrays in bytes.
     [[nodiscard]] size_t bytes() const;
 
@@ -69,6 +82,8 @@ private:
     mutable Sphere m_sphere;
     mutable std::once_flag m_topologyOnce;
     mutable Topology m_topology;
+    mutable std::once_flag m_pocketsOnce;
+    mutable Pockets m_pockets = Pockets::NotProven;
 };
 
 using MeshPointer = std::shared_ptr<const TriangleMesh>;

@@ -166,4 +166,10 @@ bool Scene::frontFacesSuffice() const {
     return m_topologyAsked;
 }
 
+bool Scene::hasNoPockets(const Progress& progress) const {
+    for (size_t i = 0; i < m_instances.size(); ++i)
+        if (meshOf(i).triangleCount() > 0 && meshOf(i).pockets(progress) != Pockets::None) return false;
+    return true;
+}
+
 }  // namespace cullscope

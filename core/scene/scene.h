@@ -96,14 +96,17 @@ public:
     [[nodiscard]] std::string sha256() const;
     [[nodiscard]] size_t bytes() const;
 
-    /// Whether no back face of an object can be seen from outside it: its mesh is closed, consistently oriented and outward. The
-    /// criterion of `facing = auto`. False, and not computed, in a scene whose meshes have more than kOptionalAnalysisLimit
-    /// triangles together; meshes without an instance do not count.
+    /// Whether no back face of an object can be seen from outside it, but where a pocket is inside out (hasNoPockets): its mesh
+    /// is closed, consistently oriented and outward. The criterion of `facing = auto`. False, and not computed, in a scene whose
+    /// meshes have more than kOptionalAnalysisLimit triangles together; meshes without an instance do not count.
     [[nodiscard]] bool frontFacesSuffice(size_t instance) const {
         return m_topologyAsked && meshOf(instance).topology().frontFacesSuffice();
     }
     /// The same of all objects that have triangles.
     [[nodiscard]] bool frontFacesSuffice() const;
+    /// Whether it is proven that no object has pockets that are inside out (TriangleMesh::pockets): what frontFacesSuffice does
+    /// not ask. Throws Error(Interrupted) on a stop request.
+    [[nodiscard]] bool hasNoPockets(const Progress& progress) const;
 
 private:
     std::string m_name;

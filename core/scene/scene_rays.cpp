@@ -1,23 +1,14 @@
 #include "core/scene/scene_rays.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/geometry/triangle.h"
+#include "core/mesh/embree_handles.h"
 #include "core/scene/eye_triangle.h"
 
 namespace cullscope {
 namespace {
-
-template <typename Handle, void (*Release)(Handle)>
-struct Releaser {
-    using pointer = Handle;
-    void operator()(Handle handle) const { Release(handle); }
-};
-using DevicePointer = std::unique_ptr<RTCDevice, Releaser<RTCDevice, rtcReleaseDevice>>;
-using RtcScenePointer = std::unique_ptr<RTCScene, Releaser<RTCScene, rtcReleaseScene>>;
 
 /// A power of two that scales the scene to a distance of at most about 1 from the origin: Embree multiplies three lengths in
 /// float, which overflows or underflows for scenes of 1e13 or 1e-13 units.
@@ -98,16 +89,16 @@ struct SceneRays::Tree {
     const Scene& scene;
     Vec3 origin;
     double scale;
-    DevicePointer device;
-    RtcScenePointer rtc;
+    EmbreeDevicePointer device;
+    EmbreeScenePointer rtc;
 
     [[nodiscard]] Vec3 inside(const Vec3& point) const { return scale * (point - origin); }
 };
 
 SceneRays::SceneRays(const Scene& scene, const Vec3& origin, const std::function<bool(uint32_t)>& frontOnly,
                      const Progress& progress) {
-    DevicePointer device(rtcNewDevice(nullptr));
-    RtcScenePointer rtc(rtcNewScene(device.get()));
+    EmbreeDevicePointer device(rtcNewDevice(nullptr));
+    EmbreeScenePointer rtc(rtcNewScene(device.get()));
     // Filters that a ray brings along are asked besides those of the triangles.
     rtcSetSceneFlags(rtc.get(), RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
     rtcSetSceneBuildQuality(rtc.get(), RTC_BUILD_QUALITY_MEDIUM);

@@ -158,6 +158,9 @@ public:
     /// Error(Interrupted) on a stop request.
     [[nodiscard]] virtual std::shared_ptr<Structure> build(const ScenePointer& scene, const ParameterSet& parameters,
                                                            const Progress& progress) const = 0;
+    /// Finds, once for a structure, what its promise rests on and no frame needs: its time is not the structure's. Without it the
+    /// promise is one that holds in any case. Throws Error(Interrupted) on a stop request.
+    virtual void prove(Structure& /*structure*/, const Progress& /*progress*/) const {}
     /// The memory of a view without a past.
     [[nodiscard]] virtual ViewStatePointer begin(const Structure& /*structure*/) const { return std::make_unique<ViewState>(); }
     /// One frame: says to `frame` what is drawn, in order, and, while it records, every decision where it falls.
@@ -243,6 +246,9 @@ public:
         fill(*structure, parameters, progress);
         return structure;
     }
+    void prove(Structure& structure, const Progress& progress) const final {
+        proveFor(static_cast<OwnStructure&>(structure), progress);
+    }
     void draw(FrameContext& frame, const Structure& structure, ViewState& state, const ParameterSet& parameters) const final {
         decide(frame, own(structure), static_cast<OwnState&>(state), parameters);
     }
@@ -261,6 +267,7 @@ protected:
         return static_cast<const OwnStructure&>(structure);
     }
     virtual void fill(OwnStructure& structure, const ParameterSet& parameters, const Progress& progress) const = 0;
+    virtual void proveFor(OwnStructure& /*structure*/, const Progress& /*progress*/) const {}
     virtual void decide(FrameContext& frame, const OwnStructure& structure, OwnState& state,
                         const ParameterSet& parameters) const = 0;
     [[nodiscard]] virtual Promise promiseOf(const OwnStructure& structure, const ParameterSet& parameters,

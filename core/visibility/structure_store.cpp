@@ -21,6 +21,7 @@ StructurePointer StructureStore::get(const RegisteredStrategy& strategy, const P
     const Clock::time_point start = Clock::now();
     const std::shared_ptr<Structure> made = strategy.strategy->build(scene, parameters, progress);
     made->report.buildMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    strategy.strategy->prove(*made, progress);
     place->structure = made;
     const std::lock_guard counting(m_mutex);
     ++m_built;

@@ -7927,6 +7927,18 @@
         <source>Nothing of the scene is seen in any of these pictures: what is drawn cannot be judged by them. Give cameras that see it, or larger pictures.</source>
         <translation>이 그림들 어디에서도 장면이 보이지 않습니다: 무엇을 그리는지 이것으로 판정할 수 없습니다. 장면이 보이는 카메라나 더 큰 그림을 주십시오.</translation>
     </message>
+    <message>
+        <source>A closed mesh of two boxes that cross, one of which is inside out</source>
+        <translation>서로 교차하는 상자 두 개로 된 닫힌 메시, 그중 하나는 안팎이 뒤집혀 있음</translation>
+    </message>
+    <message>
+        <source>back faces are seen from outside: back-face culling loses them, and does not promise otherwise</source>
+        <translation>밖에서 뒷면이 보임. 뒷면 제거는 이를 잃고, 잃지 않는다고 보장하지도 않음</translation>
+    </message>
+    <message>
+        <source>a closed mesh of two boxes that cross, one of which is inside out</source>
+        <translation>서로 교차하는 상자 두 개로 된 닫힌 메시, 그중 하나는 안팎이 뒤집혀 있음</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -7927,6 +7927,18 @@
         <source>Nothing of the scene is seen in any of these pictures: what is drawn cannot be judged by them. Give cameras that see it, or larger pictures.</source>
         <translation>这些图像中都看不到场景：无法据此评判所绘制的内容。请给出能看到场景的相机或更大的图像。</translation>
     </message>
+    <message>
+        <source>A closed mesh of two boxes that cross, one of which is inside out</source>
+        <translation>由两个相交盒子组成的封闭网格，其中一个内外翻转</translation>
+    </message>
+    <message>
+        <source>back faces are seen from outside: back-face culling loses them, and does not promise otherwise</source>
+        <translation>从外面能看到背面：背面剔除会丢失它们，也不保证不丢失</translation>
+    </message>
+    <message>
+        <source>a closed mesh of two boxes that cross, one of which is inside out</source>
+        <translation>由两个相交盒子组成的封闭网格，其中一个内外翻转</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -101,6 +101,8 @@ const std::vector<StabilityCase>& battery() {
          "gallery/case-33-near", {{160, 120}}, {}, everyStrategyOnTheScene},
         {34, "34-nothing", CULLSCOPE_TR("An empty object and triangles without area beside a square"), kNothingLost,
          "gallery/case-34-nothing", {{64, 64}}, {}, everyStrategyOnTheScene},
+        {35, "35-inside-out", CULLSCOPE_TR("A closed mesh of two boxes that cross, one of which is inside out"), CULLSCOPE_TR("back faces are seen from outside: back-face culling loses them, and does not promise otherwise"),
+         "gallery/case-35-inside-out", {{160, 120}}, {{"backface", 0.01}}, everyStrategyOnTheScene},
     };
     // clang-format on
     return kCases;

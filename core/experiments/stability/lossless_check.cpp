@@ -131,7 +131,7 @@ void applyControls(const StabilityCase& which, Findings& findings) {
         found->control = true;
         found->expected = {CULLSCOPE_TR("more than %1 % of the pixels lost, and that is seen"),
                            {fmt::format("{:g}", 100 * control.leastLost)}};
-        found->right = !found->refused && found->lostShare > control.leastLost;
+        found->right = found->right && !found->refused && found->lostShare > control.leastLost;
     }
 }
 

@@ -58,6 +58,7 @@ constexpr GalleryScene kScenes[] = {
     {"gallery/case-32-rounding", CULLSCOPE_TR("two squares one rounding of a float apart"), gallery::oneRoundingApart},
     {"gallery/case-33-near", CULLSCOPE_TR("triangles through the near plane with every corner outside the view"), gallery::acrossTheNearPlane},
     {"gallery/case-34-nothing", CULLSCOPE_TR("an empty object and triangles without area beside a square"), gallery::nothingBesideSomething},
+    {"gallery/case-35-inside-out", CULLSCOPE_TR("a closed mesh of two boxes that cross, one of which is inside out"), gallery::partlyInsideOut},
 };
 // clang-format on
 

@@ -35,6 +35,7 @@ struct Parts {
 [[nodiscard]] Parts narrowField();
 [[nodiscard]] Parts wideField();
 [[nodiscard]] Parts mirrored();
+[[nodiscard]] Parts partlyInsideOut();
 
 // Depths, sizes and places.
 [[nodiscard]] Parts twoDepths();

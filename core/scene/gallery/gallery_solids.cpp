@@ -179,4 +179,17 @@ Parts mirrored() {
         .from({cameraAt({0, 0.5, 6}, 40), cameraAt({1, 5, 2}, 40), cameraAt({-2, -3, -5}, 40)});
 }
 
+Parts partlyInsideOut() {
+    // A vertex of its own for each corner of the second box, and its triangles turned over.
+    const MeshPointer outer = box({-1, -1, -1}, {1, 1, 1}), inner = box({0.3, -0.45, -0.4}, {1.7, 0.5, 0.55});
+    std::vector<Vec3f> positions(outer->positions().begin(), outer->positions().end());
+    std::vector<uint32_t> indices(outer->indices().begin(), outer->indices().end());
+    for (size_t i = 0; i < inner->indices().size(); i += 3)
+        for (const size_t corner : {i, i + 2, i + 1}) indices.push_back(uint32_t(positions.size()) + inner->indices()[corner]);
+    positions.insert(positions.end(), inner->positions().begin(), inner->positions().end());
+    return Parts()
+        .add(meshOf(std::move(positions), std::move(indices)))
+        .from({cameraAt({4, 2.5, 3}, 40), cameraAt({5, -1, -2}, 40), cameraAt({-4, 2, 3}, 40)});
+}
+
 }  // namespace cullscope::gallery

@@ -73,9 +73,8 @@ public:
     }
 
 protected:
-    void fill(SceneFacts& structure, const ParameterSet& parameters, const Progress& progress) const override {
-        Everything::fill(structure, parameters, progress);
-        structure.closed = structure.scene().frontFacesSuffice();
+    void proveFor(SceneFacts& structure, const Progress& progress) const override {
+        structure.closed = structure.scene().frontFacesSuffice() && structure.scene().hasNoPockets(progress);
     }
     [[nodiscard]] Promise promiseOf(const SceneFacts& structure, const ParameterSet& /*parameters*/,
                                     Facing /*facing*/) const override {

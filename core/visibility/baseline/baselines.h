@@ -8,7 +8,8 @@ namespace cullscope::baseline {
 [[nodiscard]] RegisteredStrategy all();
 
 /// `backface`: every triangle, OpenGL culls back faces. The stronger baseline. Measured against the two-sided reference:
-/// conservative, up to the raster's snapping, on closed outward meshes seen from outside; approximate elsewhere.
+/// conservative, up to the raster's snapping, on closed outward meshes without pockets that are inside out, seen from outside;
+/// approximate elsewhere.
 [[nodiscard]] RegisteredStrategy backface();
 
 }  // namespace cullscope::baseline

@@ -50,6 +50,29 @@ TEST(RealModels, haveTheCountsOfTheirManifest) {
                      << missing << ".";
 }
 
+TEST(RealModels, thoseThatShowBackFacesHavePocketsThatAreInsideOut) {
+    // The first three lose pixels that no rounding explains where back faces are left out; bunny.obj crosses itself, too.
+    std::string missing;
+    for (const auto& [name, expected] : {std::pair("bunny-5000.obj", Pockets::Found),
+                                         {"clean/classics/cow.obj", Pockets::Found},
+                                         {"clean/topology/block.off", Pockets::Found},
+                                         {"clean/topology/elk.off", Pockets::Found},
+                                         {"bunny.obj", Pockets::None},
+                                         {"clean/classics/elephant.obj", Pockets::None},
+                                         {"clean/topology/knot.off", Pockets::None},
+                                         {"clean/topology/cheese.off", Pockets::None}}) {
+        if (std::filesystem::exists(kModels / name))
+            EXPECT_EQ(loadMeshFile(kModels / name).objects.at(0).mesh->pockets(), expected) << name;
+        else
+            missing += std::string(" ") + name;
+    }
+    if (!missing.empty())
+        GTEST_SKIP()
+            << "These models are other people's and not part of this repository; InsideOut.* makes meshes of both kinds. "
+               "Missing:"
+            << missing << ".";
+}
+
 TEST(RealModels, allCleanFilesLoad) {
     if (!std::filesystem::is_directory(kModels / "clean"))
         GTEST_SKIP()

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "core/mesh/parametric.h"
+#include "core/scene/gallery/gallery.h"
 #include "tests/support/culler.h"
 #include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
@@ -229,6 +230,18 @@ TEST(Baselines, facingRulesAreThoseOfTheirNames) {
     EXPECT_EQ(backface->promise(), Promise::Approximate) << "an open mesh shows its back faces";
     const ScenePointer closed = sceneOf({boxMesh(Vec3f(-1), Vec3f(1))});
     backface->build(*closed);
+    EXPECT_EQ(backface->promise(), Promise::Conservative);
+}
+
+TEST(Baselines, backFacesOfMeshesWithPocketsThatAreInsideOutMayBeSeen) {
+    const CullerPointer backface = makeCuller("backface");
+    const ScenePointer scene = galleryScene("gallery/case-35-inside-out");
+    ASSERT_TRUE(scene->frontFacesSuffice()) << "closed, consistently oriented, and more of it outward";
+    backface->build(*scene);
+    EXPECT_EQ(backface->promise(), Promise::Approximate);
+    // Two objects that cross: each hides its own back faces.
+    const ScenePointer crossing = sceneOf({boxMesh(Vec3f(-1), Vec3f(1)), boxMesh(Vec3f(0), Vec3f(2))});
+    backface->build(*crossing);
     EXPECT_EQ(backface->promise(), Promise::Conservative);
 }
 
