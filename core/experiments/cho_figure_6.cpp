@@ -62,6 +62,7 @@ Axis cullingStrategies() {
     for (const char* strategy : {"all", "frustum-select", "frustum:facing=two-sided", "backface", "frustum", "frustum-octree",
                                  "frustum-query", "spherical-lossless"})
         axis.values.emplace_back(std::string(strategy));
+    axis.values.emplace_back(limitText());
     return axis;
 }
 
@@ -82,6 +83,7 @@ std::vector<ResultColumn> columns() {
             {"no_culling_exceeds", CULLSCOPE_TR("1 ÷ (1 − culled), mean of the views"), Origin::Measured, 1},
             {"no_culling_exceeds_max", CULLSCOPE_TR("1 ÷ (1 − culled), best view"), Origin::Measured, 1},
             {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+            headroomColumn(),
             {"paper_culled_fraction", CULLSCOPE_TR("paper: culled, %"), Origin::Stated, 0, 100.0},
             {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},
             {"culled_fraction_max", CULLSCOPE_TR("culled max, %"), Origin::Measured, 1, 100.0},

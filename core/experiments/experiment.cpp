@@ -144,6 +144,12 @@ ResultTable emptyTable(const Experiment& experiment) {
     table.title = experiment.title;
     table.source = experiment.source;
     table.notes = experiment.notes;
+    const auto hasLimit = [](const Setting& setting) { return std::ranges::count(setting.strategies, limitText()) > 0; };
+    if (std::ranges::any_of(experiment.settings, hasLimit))
+        table.notes.push_back(
+            {CULLSCOPE_TR("%1 draws exactly the visible triangles, which are found beforehand: what any culling "
+                          "could gain at most. How much of that a method gains is its share of the headroom."),
+             {limitText()}});
     table.columns = experiment.columns;
     for (const RowPlot& described : experiment.plots) table.plots.push_back(plotsOf(described, table).front());
     return table;

@@ -96,6 +96,7 @@ std::vector<ResultColumn> timedColumns(const std::vector<Axis>& axes, const std:
                                              {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
                                              {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
                                              {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+                                             headroomColumn(),
                                              {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
                                              {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
                                              {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
@@ -115,6 +116,7 @@ Setting bunnySetting(const std::string& path, Viewport size) {
 Axis strategiesAxis(const std::vector<std::string>& further) {
     Axis axis{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {std::string("all"), std::string("backface")}};
     axis.values.insert(axis.values.end(), further.begin(), further.end());
+    axis.values.emplace_back(limitText());
     return axis;
 }
 

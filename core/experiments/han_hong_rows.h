@@ -26,7 +26,7 @@ inline constexpr const char* kField = "field_degrees";
 
 /// A timed setting of the bunny along a path, with `spherical` on screen.
 [[nodiscard]] Setting bunnySetting(const std::string& path, Viewport size);
-/// The strategies that the paper compares, the strong baseline, and further ones, to be measured in turns.
+/// The strategies that the paper compares, the strong baseline, further ones, and the limit of culling, to be measured in turns.
 [[nodiscard]] Axis strategiesAxis(const std::vector<std::string>& further);
 /// Adds a setting with what the experiment's axes vary within it.
 void addTimed(Experiment& experiment, const Setting& setting);

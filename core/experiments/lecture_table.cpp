@@ -27,7 +27,8 @@ constexpr std::array kMethods{Method{.id = "painter", .littleOverlap = true, .fe
                               Method{.id = "depth-buffer", .manySurfaces = true},
                               Method{.id = "scan-line", .someOverlap = true, .fewSurfaces = true},
                               Method{.id = "all", .onGpu = true, .ranked = false},
-                              Method{.id = "backface", .onGpu = true, .ranked = false}};
+                              Method{.id = "backface", .onGpu = true, .ranked = false},
+                              Method{.id = "oracle", .onGpu = true, .ranked = false}};
 
 // ---- The lecture's verdicts
 

@@ -41,6 +41,7 @@ std::vector<ResultColumn> growthColumns(const std::vector<Axis>& axes) {
                                              {"frame_ms", CULLSCOPE_TR("frame, ms"), Origin::Measured, 2},
                                              {"cull_ms", CULLSCOPE_TR("culling, ms"), Origin::Measured, 2},
                                              {"ratio_to_octree", CULLSCOPE_TR("× frustum-octree [95 %]"), Origin::Measured, 2},
+                                             headroomColumn(),
                                              {"submitted", CULLSCOPE_TR("triangles drawn a view"), Origin::Measured, 0},
                                              {"missed_pixels", CULLSCOPE_TR("missed px")},
                                              {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1},
@@ -75,6 +76,7 @@ Experiment growing(const OcclusionGrowthSize& size, const std::vector<int>& side
     for (const int side : sides) copies.push_back(double(side) * side);
     Axis strategies{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {std::string(kOctree)}};
     for (const char* strategy : kOcclusion) strategies.values.emplace_back(std::string(strategy));
+    strategies.values.emplace_back(limitText());
     experiment.axes = {{kCopies, CULLSCOPE_TR("copies"), Axis::Kind::Label, axisValues(copies)}, std::move(strategies)};
     Setting common;
     common.shown = kOcclusion.front();

@@ -39,6 +39,7 @@ std::vector<Message> plantNotes() {
 Axis strategyAxis() {
     Axis axis{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
     for (const char* strategy : {"all", kOctree, kTriangle, kFeature, kBounded}) axis.values.emplace_back(std::string(strategy));
+    axis.values.emplace_back(limitText());
     return axis;
 }
 

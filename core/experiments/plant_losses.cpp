@@ -71,6 +71,11 @@ Rows curveRows(const std::vector<CurvePoint>& points, const Setting& setting, co
         rows.back()["method"] = std::string(point.method);
         rows.back()[kSide] = point.side;
     }
+    // What any culling could gain has no threshold.
+    if (const RunMeasurement* limit = runOf(result, limitText())) {
+        rows.push_back(runCells(setting, result, *limit));
+        rows.back()["method"] = limitText();
+    }
     return rows;
 }
 
@@ -90,7 +95,7 @@ Experiment curveOf(const PlantFiguresSize& size, const std::string& scene,
     const std::vector<CurvePoint> points = curvePoints(size);
     Setting common = commonSetting(size);
     common.stated.clear();  // the paper has no such curve
-    common.strategies = {kOctree};
+    common.strategies = {kOctree, limitText()};
     for (const CurvePoint& point : points)
         if (std::ranges::find(common.strategies, point.strategy) == common.strategies.end())
             common.strategies.push_back(point.strategy);
@@ -101,8 +106,8 @@ Experiment curveOf(const PlantFiguresSize& size, const std::string& scene,
     experiment.columns.back().decimals = 2;
     experiment.columns.push_back({"method", CULLSCOPE_TR("method"), Origin::Axis});
     for (const ResultColumn& column : plantColumns({}))
-        for (const char* key : {"fps_overall", "ratio_to_octree", "culled_fraction", "missed_pixels", "missed_pixel_rate",
-                                "largest_hole_px", "lost_at_most", "beyond_stated", "cull_ms", "poses"})
+        for (const char* key : {"fps_overall", "ratio_to_octree", "headroom_share", "culled_fraction", "missed_pixels",
+                                "missed_pixel_rate", "largest_hole_px", "lost_at_most", "beyond_stated", "cull_ms", "poses"})
             if (column.key == key) experiment.columns.push_back(column);
     const char* side = CULLSCOPE_TR("threshold, px");
     RowPlot speed = linesOf(logPlot(CULLSCOPE_TR("Speed by threshold: %1"), side, CULLSCOPE_TR("× frustum-octree")), kSide,

@@ -99,6 +99,7 @@ std::vector<ResultColumn> plantColumns(const std::vector<Axis>& axes) {
         {"frame_ms", CULLSCOPE_TR("frame, ms"), Origin::Measured, 1},
         {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
         {"ratio_to_octree", CULLSCOPE_TR("× frustum-octree [95 %]"), Origin::Measured, 2},
+        headroomColumn(),
         {"paper_ratio_to_triangle", CULLSCOPE_TR("paper: × by triangle, at least"), Origin::Stated, 0},
         {"ratio_to_triangle", CULLSCOPE_TR("× by triangle [95 %]"), Origin::Measured, 2},
         {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},

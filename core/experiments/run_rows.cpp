@@ -1,6 +1,7 @@
 #include "core/experiments/run_rows.h"
 
 #include "core/measure/field_figures.h"
+#include "core/visibility/registry.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
@@ -19,6 +20,12 @@ void addLosses(Row& cells, const RunMeasurement& run) {
 }
 
 }  // namespace
+
+std::string limitText() { return limitOfCulling().id; }
+
+ResultColumn headroomColumn() {
+    return {.key = "headroom_share", .title = CULLSCOPE_TR("of the headroom, % [95 %]"), .scale = 100.0, .estimated = true};
+}
 
 const RunMeasurement* runOf(const MeasureResult& result, std::string_view strategy) {
     for (const RunMeasurement& run : result.runs)

@@ -7,6 +7,11 @@ namespace cullscope {
 /// A note without arguments; `text` is English, marked for translation.
 [[nodiscard]] inline Message note(const char* text) { return {text, {}}; }
 
+/// limitOfCulling() as a setting names it: what tables of culling measure beside the methods.
+[[nodiscard]] std::string limitText();
+/// The share of the headroom, with its interval.
+[[nodiscard]] ResultColumn headroomColumn();
+
 /// The run of a strategy, by its strategyText; null where it has no frames.
 [[nodiscard]] const RunMeasurement* runOf(const MeasureResult& result, std::string_view strategy);
 /// The mean over a run's views.

@@ -29,7 +29,7 @@ std::vector<ResultColumn> sweepColumns() {
                                       {"fps_overall", CULLSCOPE_TR("fps, all views"), Origin::Measured, 1},
                                       {"ratio_to_same_sides", CULLSCOPE_TR("× same sides [95 %]"), Origin::Measured, 2},
                                       {"same_sides_baseline", CULLSCOPE_TR("baseline, same sides"), Origin::Measured},
-                                      {"headroom_share", CULLSCOPE_TR("of the headroom, % [95 %]"), Origin::Measured, 0, 100.0},
+                                      headroomColumn(),
                                       {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
                                       {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
                                       {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
@@ -48,7 +48,7 @@ std::vector<ResultColumn> sweepColumns() {
     for (const FieldFigure& figure : fieldFigures())
         columns.push_back({figure.key, figure.title, Origin::Measured, figure.decimals, figure.scale, !inText(figure.key), true});
     for (ResultColumn& column : columns)
-        if (column.key.starts_with("ratio_to_") || column.key == "headroom_share") column.estimated = true;
+        if (column.key.starts_with("ratio_to_")) column.estimated = true;
     return columns;
 }
 

@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "core/base/error.h"
+
 namespace cullscope {
 namespace {
 
@@ -21,7 +23,13 @@ StructurePointer StructureStore::get(const RegisteredStrategy& strategy, const P
     const Clock::time_point start = Clock::now();
     const std::shared_ptr<Structure> made = strategy.strategy->build(scene, parameters, progress);
     made->report.buildMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    strategy.strategy->prove(*made, progress);
+    try {
+        strategy.strategy->prove(*made, progress);
+    } catch (const Error& error) {
+        if (error.kind() != ErrorKind::Interrupted) throw;
+        // A caller that stops gets a structure that promises less, and it is not kept for others.
+        return made;
+    }
     place->structure = made;
     const std::lock_guard counting(m_mutex);
     ++m_built;

@@ -7939,6 +7939,10 @@
         <source>a closed mesh of two boxes that cross, one of which is inside out</source>
         <translation>서로 교차하는 상자 두 개로 된 닫힌 메시, 그중 하나는 안팎이 뒤집혀 있음</translation>
     </message>
+    <message>
+        <source>%1 draws exactly the visible triangles, which are found beforehand: what any culling could gain at most. How much of that a method gains is its share of the headroom.</source>
+        <translation>%1은(는) 보이는 삼각형만 정확히 그리며, 이들은 미리 찾아 둡니다. 어떤 컬링이든 얻을 수 있는 최대입니다. 방법이 그중 얼마를 얻는지가 여유 중 비율입니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

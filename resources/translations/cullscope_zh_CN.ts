@@ -7939,6 +7939,10 @@
         <source>a closed mesh of two boxes that cross, one of which is inside out</source>
         <translation>由两个相交盒子组成的封闭网格，其中一个内外翻转</translation>
     </message>
+    <message>
+        <source>%1 draws exactly the visible triangles, which are found beforehand: what any culling could gain at most. How much of that a method gains is its share of the headroom.</source>
+        <translation>%1 恰好绘制可见的三角形，它们是事先找出的：这是任何剔除最多能得到的。方法得到其中多少，就是它占余地的比例。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "core/experiments/experiment_list.h"
+#include "core/experiments/run_rows.h"
 #include "core/experiments/sweeps.h"
 #include "tests/support/experiment_faults.h"
 
@@ -15,6 +16,18 @@ TEST(Declarations, ofEveryKnownExperimentAreWhole) {
         EXPECT_THAT(experimentFaults(experiment), testing::IsEmpty()) << experiment.id;
     for (const ParameterSweep& sweep : builtInSweeps())
         EXPECT_THAT(experimentFaults(sweepExperiment({sweep})), testing::IsEmpty()) << sweep.strategy << ", " << sweep.key;
+}
+
+TEST(Declarations, everyTableOfTimedMethodsHasTheLimitOfCulling) {
+    size_t tables = 0;
+    for (const Experiment& experiment : knownExperiments())
+        for (const Setting& setting : experiment.settings) {
+            if (!setting.timed()) continue;
+            EXPECT_THAT(setting.strategies, testing::Contains(limitText())) << experiment.id;
+            EXPECT_THAT(emptyTable(experiment).notes.back().english(), testing::StartsWith(limitText())) << experiment.id;
+            ++tables;
+        }
+    EXPECT_GT(tables, 10U);
 }
 
 /// An experiment of two scenes and two strategies without a fault.

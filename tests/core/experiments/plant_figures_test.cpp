@@ -50,7 +50,7 @@ TEST(PlantFigures, declareWhatTheyShow) {
 
 TEST(PlantFigures, methodsHaveTheirRatiosStagesAndBounds) {
     const ResultTable table = runExperiment(experiment("plant-methods"), {});
-    ASSERT_EQ(table.rows.size(), 5u);
+    ASSERT_EQ(table.rows.size(), 6u);
     for (size_t row = 0; row < table.rows.size(); ++row) {
         const std::string strategy = words(table, row, "strategy");
         SCOPED_TRACE(strategy);
@@ -62,19 +62,19 @@ TEST(PlantFigures, methodsHaveTheirRatiosStagesAndBounds) {
         EXPECT_EQ(has(table, row, "paper_ratio_to_triangle"), strategy == "small-feature");
         EXPECT_EQ(has(table, row, "leaves_visible"), strategy == "small-feature");
         EXPECT_EQ(has(table, row, "lost_at_most"), strategy == "small-feature-bounded");
-        EXPECT_EQ(has(table, row, "groups_ms"), strategy != "all");
+        EXPECT_EQ(has(table, row, "groups_ms"), strategy != "all" && strategy != "oracle");
         EXPECT_EQ(has(table, row, "sizes_ms"), strategy == "small-feature-triangle" || strategy == "small-feature-bounded");
         EXPECT_NEAR(number(table, row, "cull_ms") + number(table, row, "draw_ms"), number(table, row, "frame_ms"), 1e-9);
     }
     EXPECT_FALSE(table.checkFailed());
     ASSERT_EQ(table.plots.size(), 1u);
-    EXPECT_EQ(table.plots[0].lines.size(), 5u);
+    EXPECT_EQ(table.plots[0].lines.size(), 6u);
 }
 
 TEST(PlantFigures, viewsAreThirtyDegreesWideAndFewerInLargePlants) {
     const ResultTable table = runExperiment(experiment("plant-pipelines"), {});
-    ASSERT_EQ(table.rows.size(), 10u);
-    for (size_t row = 0; row < 10; ++row) EXPECT_EQ(number(table, row, "poses"), row < 5 ? 2.0 : 1.0);
+    ASSERT_EQ(table.rows.size(), 12u);
+    for (size_t row = 0; row < 12; ++row) EXPECT_EQ(number(table, row, "poses"), row < 6 ? 2.0 : 1.0);
     ASSERT_EQ(table.plots.size(), 3u);
     for (const LinePlot& plot : table.plots) EXPECT_GE(plot.lines.size(), 1u) << plot.title;
     EXPECT_TRUE(table.checks[1].value.has_value());
@@ -105,7 +105,8 @@ TEST(PlantFigures, growthIsHeldAgainstThatOfDrawingAll) {
 TEST(PlantFigures, curveHasEveryThresholdOfEveryMethodAndTakesAnotherScene) {
     const Experiment own = experiment("plant-losses").ofScene("field:mesh=sphere:triangles=80,n=3,spacing=2.5");
     const ResultTable table = runExperiment(own, {});
-    ASSERT_EQ(table.rows.size(), 9u);
+    ASSERT_EQ(table.rows.size(), 10u);
+    EXPECT_EQ(words(table, 9, "method"), "oracle");
     for (size_t row = 0; row < 9; ++row) {
         EXPECT_EQ(number(table, row, "side_px"), quick().sides[row / 3]);
         EXPECT_THAT(words(table, row, "scene"), testing::StartsWith("field:"));
@@ -130,7 +131,7 @@ TEST(PlantFigures, curveHasEveryThresholdOfEveryMethodAndTakesAnotherScene) {
     paper.sides = {14.33};
     const std::vector<Experiment> experiments = plantFigures(paper);
     EXPECT_THAT(experiments.back().settings[0].strategies,
-                testing::ElementsAre("frustum-octree", testing::StartsWith("small-feature:threshold=0.00199"),
+                testing::ElementsAre("frustum-octree", "oracle", testing::StartsWith("small-feature:threshold=0.00199"),
                                      testing::StartsWith("small-feature-triangle:threshold=0.00199"),
                                      "small-feature-bounded:pixels=205"));
 }

@@ -111,6 +111,19 @@ ParameterValue otherValue(const ParameterDeclaration& declaration) {
     return choices[0].id == std::get<std::string>(declaration.defaultValue) ? choices[1].id : choices[0].id;
 }
 
+TEST(StructureStore, aProofThatIsStoppedPromisesLessAndIsNotKept) {
+    const ScenePointer scene = sceneOf({starMesh(7, 300)});
+    StructureStore store;
+    const auto promise = [&](const Progress& progress) {
+        return buildStrategy("backface", ParameterSet(findStrategy("backface").info.parameters), scene, store, progress)
+            ->promise();
+    };
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_EQ(promise({nullptr, stop.get_token()}), Promise::Approximate);
+    EXPECT_EQ(promise({}), Promise::Conservative);
+}
+
 TEST(StructureStore, buildTextChangesWithTheParametersOfBuildingAlone) {
     size_t culling = 0, building = 0;
     for (const RegisteredStrategy& registered : strategies())
