@@ -10,8 +10,8 @@
 namespace cullscope {
 namespace {
 
-/// Letters as large as a projector needs, and columns that a sheet of paper holds: a table wider than the window is scrolled, and
-/// on paper it is printed smaller.
+/// Letters as large as a projector needs, and columns that a sheet of paper holds. A table that is wider than the text takes the
+/// window's width; one that is wider than that is scrolled, and on paper it is printed smaller.
 constexpr const char* kReportStyle = R"(
 :root { color-scheme: light; }
 body { font: 18px/1.5 "Noto Sans", "DejaVu Sans", sans-serif; color: #14171c; background: #fff; margin: 0 auto; padding: 24px;
@@ -20,14 +20,15 @@ h1 { font-size: 34px; line-height: 1.2; margin: 0 0 8px; }
 h2 { font-size: 26px; line-height: 1.25; margin: 48px 0 4px; border-top: 2px solid #14171c; padding-top: 16px; }
 p, ul { margin: 8px 0; }
 .source { color: #3c4450; margin-top: 0; }
-.wide { overflow-x: auto; }
+.wide { overflow-x: auto; width: max-content; min-width: 100%; max-width: calc(100vw - 64px); margin-left: 50%;
+    transform: translateX(-50%); }
 table { border-collapse: collapse; font-size: 16px; line-height: 1.35; margin: 12px 0; font-variant-numeric: tabular-nums; }
 th, td { padding: 4px 10px; border-bottom: 1px solid #c8ccd0; text-align: right; vertical-align: top; }
 td { white-space: nowrap; }
 th { border-bottom: 2px solid #14171c; vertical-align: bottom; }
 .machine th { border-bottom: 1px solid #c8ccd0; vertical-align: top; }
 .words { text-align: left; }
-td.words { white-space: normal; min-width: 9em; max-width: 28em; }
+td.words { white-space: normal; min-width: 6em; max-width: 28em; }
 .stated { background: #f3ecd4; }
 tr.origins th { border-bottom: 0; font-weight: 400; color: #3c4450; padding-bottom: 0; }
 figure { margin: 16px 0; }
@@ -43,7 +44,7 @@ nav a { color: inherit; }
     @page { size: A4 landscape; margin: 12mm; }
     body { font-size: 10.5pt; max-width: none; padding: 0; }
     h1 { font-size: 20pt; } h2 { font-size: 14pt; margin-top: 18pt; break-after: avoid; } h2 + p { break-after: avoid; }
-    .wide { overflow: visible; }
+    .wide { overflow: visible; width: auto; min-width: 0; max-width: none; margin-left: 0; transform: none; }
     table { font-size: 7.5pt; } th, td { padding: 1.5pt 4pt; } thead { display: table-header-group; } tr { break-inside: avoid; }
     td { white-space: normal; } td.words { min-width: 0; }
     pre { font-size: 8pt; break-inside: avoid; break-before: avoid; }
@@ -122,6 +123,20 @@ std::string classesOf(const ResultTable& table, size_t column) {
     return classes.empty() ? "" : " class=\"" + classes + "\"";
 }
 
+/// The text of a cell. An interval in brackets stays on one line.
+std::string cellHtml(std::string_view text) {
+    std::string html;
+    bool inBrackets = false;
+    for (const char c : escaped(text)) {
+        if (c == '[' || c == ']') inBrackets = c == '[';
+        if (c == ' ' && inBrackets)
+            html += "&nbsp;";
+        else
+            html += c;
+    }
+    return html;
+}
+
 std::string rowsHtml(const ResultTable& table) {
     if (table.rows.empty()) return "<p>Nothing of it was measured.</p>\n";
     std::vector<size_t> columns;
@@ -130,12 +145,12 @@ std::string rowsHtml(const ResultTable& table) {
     std::string html = "<div class=\"wide\"><table>\n<thead><tr class=\"origins\">";
     for (const size_t i : columns) html += fmt::format("<th{}>{}</th>", classesOf(table, i), originWord(table.columns[i].origin));
     html += "</tr>\n<tr>";
-    for (const size_t i : columns) html += fmt::format("<th{}>{}</th>", classesOf(table, i), escaped(table.columns[i].title));
+    for (const size_t i : columns) html += fmt::format("<th{}>{}</th>", classesOf(table, i), cellHtml(table.columns[i].title));
     html += "</tr></thead>\n<tbody>\n";
     for (const std::vector<CellValue>& row : table.rows) {
         html += "<tr>";
         for (const size_t i : columns)
-            html += fmt::format("<td{}>{}</td>", classesOf(table, i), escaped(valueText(table.columns[i], row[i])));
+            html += fmt::format("<td{}>{}</td>", classesOf(table, i), cellHtml(valueText(table.columns[i], row[i])));
         html += "</tr>\n";
     }
     return html + "</tbody></table></div>\n";
