@@ -9,7 +9,7 @@ namespace cullscope {
 /// What the experiments on process plants vary, and how they are measured. The views are 30° wide, as in Du et al. 2017.
 struct PlantFiguresSize {
     std::vector<int> plants{9'710, 5'736};  ///< pipelines of the two plants of the paper's Table 3
-    int viewsOfPlants = 60;                 ///< on the walk through each
+    int viewsOfPlants = 12;                 ///< on the walk through each
     std::vector<int> pipelines{1'942, 3'884, 5'826, 7'768, 9'710, 97'100};  ///< Figure 7, and beyond
     int views = 12;                                                         ///< on the walk through each
     int manyPipelines = 50'000, viewsOfMany = 3;                            ///< from so many on, so few views

@@ -158,6 +158,10 @@ Renderer::ItemBuffer read(const ItemTarget& target) {
     // The image holds triangle numbers, with the largest number for an empty pixel; the result holds numbers + 1, with 0 for an
     // empty pixel. The addition wraps the largest number to 0.
     for (uint32_t& triangle : result.triangle) ++triangle;
+    // llvmpipe may cover a pixel with a needle in the order of the depth pass and not in that of the numbers: no triangle is
+    // known to be seen there.
+    for (size_t pixel = 0; pixel < result.depth.size(); ++pixel)
+        if (result.triangle[pixel] == 0) result.depth[pixel] = 0.0F;
     return result;
 }
 

@@ -115,7 +115,8 @@ public:
     void execute(const SceneBuffers& buffers, const View& view, const Command& command, Framebuffer& target,
                  const DrawStyle& style, bool cleared = false);
 
-    /// Ground truth: for every pixel the depth and the lowest triangle number (Scene numbering + 1; 0 = nothing) at that depth.
+    /// Ground truth: for every pixel the depth and the lowest triangle number (Scene numbering + 1; 0 = nothing) at that depth;
+    /// where there is no number there is no depth.
     /// Draws `list` in a depth pass with the same vertex program as `draw`, then with GL_EQUAL and an atomic minimum.
     /// Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
     struct ItemBuffer {

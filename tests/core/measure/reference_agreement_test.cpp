@@ -161,6 +161,25 @@ TEST(ReferenceAgreement, holdsForTheBunny) {
     compareAround("bunny", openScene("bunny").scene, 3, 40);
 }
 
+/// llvmpipe covers a pixel of this view with a needle in the order in which a whole mesh is drawn, and not in the order in which
+/// triangles are numbered.
+TEST(ItemBuffer, aPixelHasADepthWhereItHasATriangle) {
+    ASSERT_TRUE(findBunny({}).has_value()) << "glmark2-data is in packaging/packages.txt and not installed";
+    const ScenePointer scene = openScene("mesh:bunny,triangles=144046").scene;
+    const Vec3 target(6.744265556335449e-05, 0.00033026933670043945, 9.655952453613281e-06);
+    Camera camera{Vec3(1.950444382579561, 3.525426392674593, 9.655952453613281e-06), target, {0, 1, 0}};
+    camera.fovy = Angle::fromDegrees(9.99461242673982);
+    camera.nearDistance = 0.013428937612715781;
+    camera.farDistance = 134.28937612715782;
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Renderer renderer;
+    for (const Facing facing : {Facing::Front, Facing::TwoSided}) {
+        const Renderer::ItemBuffer items = renderer.drawItemBuffer(buffers, View(camera, {640, 480}), everything(*scene, facing));
+        for (size_t pixel = 0; pixel < items.depth.size(); ++pixel)
+            EXPECT_EQ(items.depth[pixel] > 0.0F, items.triangle[pixel] > 0) << pixel << " " << int(facing);
+    }
+}
+
 TEST(ReferenceAgreement, holdsForMirroredAndFlattenedInstances) {
     compareAround("instances",
                   sceneOf({starMesh(7, 3000), knotMesh(3000), torusMesh(2000), teapotMesh(3000)},
