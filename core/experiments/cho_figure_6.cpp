@@ -203,6 +203,7 @@ void addLimit(LinePlot& plot, const MeasureResult& result) {
     line.name = "all ÷ (1 − culled)";
     line.baseline = true;
     line.dashed = true;
+    line.dots = false;  // computed from the triangles left, and not measured
     for (size_t i = 0; i < std::min(limits.size(), all->frames.size()); ++i)
         line.points.push_back({double(all->frames[i].pose + 1), 1000.0 / all->frames[i].frameMilliseconds * limits[i]});
     plot.lines.push_back(std::move(line));

@@ -158,6 +158,7 @@ TEST(ChoFigure6, figureShowsWhatWasMeasured) {
     const LinePlot& plot = table.plots[0];
     ASSERT_EQ(plot.lines.size(), 5u);
     EXPECT_EQ(plot.lines[4].name, "all ÷ (1 − culled)");
+    EXPECT_FALSE(plot.lines[4].dots) << "a bound, told apart from what was measured";
     EXPECT_TRUE(plot.lines[4].dashed);
     EXPECT_NEAR(plot.lines[4].points[2].y, 90.0, 0.2) << "of nine bodies one";
     EXPECT_EQ(plot.lines[1].name, "frustum:facing=two-sided");
