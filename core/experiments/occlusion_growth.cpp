@@ -150,8 +150,8 @@ Experiment ofField(const OcclusionGrowthSize& size) {
 
 OcclusionGrowthSize sizeForGraphicsCard() {
     OcclusionGrowthSize size;
+    size.courts = {1, 3, 10, 31};
     size.bunnies = {4, 13, 38, 119};
-    size.views = 24;
     return size;
 }
 

@@ -17,7 +17,7 @@ struct OcclusionGrowthSize {
     int repetitions = 3;  ///< of each frame (unless the user says how often)
 };
 
-/// The sizes for a graphics card: a field of up to 10^9 triangles.
+/// The sizes for a graphics card: a field of up to 10^9 triangles, and 961 courts, which are as many of a court of 10^6.
 [[nodiscard]] OcclusionGrowthSize sizeForGraphicsCard();
 
 /// "occlusion-growth": the time of a frame in one of ever more courts (`courts:`), none of which is seen from another.

@@ -20,28 +20,36 @@ constexpr const char* kClusters = "clusters";
 
 struct OracleScene : Structure {
     using Structure::Structure;
+    bool byObjects = false;
     std::optional<SceneClusters> clusters;  ///< by clusters
 };
 
-/// What the exact picture of the last view showed: of the same view it is not asked for again.
+/// What the exact picture of the last view showed, and what is drawn for it: of the same view neither is worked out again.
 struct Known : ViewState {
     std::optional<Camera> camera;
     Viewport size;
-    std::vector<uint32_t> visible;    ///< ascending
-    std::vector<DrawRange> clusters;  ///< by clusters: those of which anything is visible, in the order of the instances
+    std::vector<uint32_t> visible;  ///< ascending
+    std::vector<DrawRange> ranges;  ///< in the order of the instances; of nothing that is not visible
+    uint64_t drawn = 0;             ///< triangles of the ranges
 
     [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<Known>(*this); }
     void find(FrameContext& frame, const OracleScene& structure);
+
+private:
+    void list(const OracleScene& structure);
 };
 
 enum class OracleLine : uint8_t { Known = 1, Objects, Draw, LeaveOut };
 
-/// The visible triangles of one object, ascending.
-std::span<const uint32_t> ofObject(const Scene& scene, uint32_t instance, std::span<const uint32_t> visible) {
-    const uint64_t first = scene.firstTriangle(instance);
-    const auto from = std::ranges::lower_bound(visible, first);
-    const auto to = std::lower_bound(from, visible.end(), first + scene.meshOf(instance).triangleCount());
-    return {from, to};
+/// Appends the ranges of consecutive triangles of an object, `triangles` ascending.
+void addRuns(std::vector<DrawRange>& ranges, uint32_t instance, uint64_t first, std::span<const uint32_t> triangles) {
+    for (size_t i = 0; i < triangles.size(); ++i) {
+        const auto place = uint32_t(3 * (triangles[i] - first));
+        if (i > 0 && triangles[i] == triangles[i - 1] + 1)
+            ranges.back().indexCount += 3;
+        else
+            ranges.push_back({instance, place, 3});
+    }
 }
 
 /// Appends the clusters of an object of which a triangle is visible; neighbouring ones become one range.
@@ -71,14 +79,28 @@ void Known::find(FrameContext& frame, const OracleScene& structure) {
     visible = frame.visibleTriangles();
     camera = view.camera();
     size = view.viewport();
-    if (!structure.clusters) return;
-    clusters.clear();
-    frame.workOutUntimed([&] {
-        const Scene& scene = structure.scene();
-        for (uint32_t i = 0; i < scene.instances().size(); ++i)
-            if (const std::span<const uint32_t> own = ofObject(scene, i, visible); !own.empty())
-                addClusters(clusters, i, structure.clusters->of(scene, i), own, scene.firstTriangle(i));
-    });
+    // The limit has no cost by the objects of the scene: its list is known beforehand, too.
+    frame.workOutUntimed([&] { list(structure); });
+}
+
+void Known::list(const OracleScene& structure) {
+    const Scene& scene = structure.scene();
+    ranges.clear();
+    for (auto from = visible.begin(); from != visible.end();) {
+        const auto instance = uint32_t(scene.instanceOf(*from));
+        const uint64_t first = scene.firstTriangle(instance), all = scene.meshOf(instance).triangleCount();
+        const auto to = std::lower_bound(from, visible.end(), first + all);
+        const std::span<const uint32_t> own(from, to);
+        if (structure.clusters)
+            addClusters(ranges, instance, structure.clusters->of(scene, instance), own, first);
+        else if (structure.byObjects || own.size() == all)
+            ranges.push_back({instance, 0, uint32_t(3 * all)});
+        else
+            addRuns(ranges, instance, first, own);
+        from = to;
+    }
+    drawn = 0;
+    for (const DrawRange& range : ranges) drawn += range.indexCount / 3;
 }
 
 class Oracle final : public StrategyWith<OracleScene, Known> {
@@ -88,43 +110,26 @@ public:
 protected:
     void fill(OracleScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
         structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
+        structure.byObjects = parameters.choice(kBy) == kObjects;
         if (parameters.choice(kBy) != kClusters) return;
         structure.clusters.emplace(structure.scene(), uint32_t(parameters.integer(kClusterSize)), progress);
         structure.report.bytes = structure.clusters->bytes();
         const std::vector<StructureReport::Figure> figures = structure.clusters->figures();
         structure.report.figures.insert(structure.report.figures.end(), figures.begin(), figures.end());
     }
-    void decide(FrameContext& frame, const OracleScene& structure, Known& known, const ParameterSet& parameters) const override {
-        const Scene& scene = structure.scene();
+    void decide(FrameContext& frame, const OracleScene& structure, Known& known,
+                const ParameterSet& /*parameters*/) const override {
         known.find(frame, structure);
-        const std::vector<uint32_t>& visible = known.visible;
         sayBegin(frame, uint8_t(OracleLine::Known),
                  CULLSCOPE_TR("The exact picture shows %1 triangles. They are known beforehand, and in no time of the frame."),
-                 {double(visible.size())});
+                 {double(known.visible.size())});
         DrawList list{frame.facing(), {}, structure.clusters ? structure.clusters->order : nullptr};
         {
             const StageTimer stage(frame, CULLSCOPE_TR("listing"));
-            const bool byObjects = parameters.choice(kBy) == kObjects;
-            auto cluster = known.clusters.begin();
-            for (uint32_t i = 0; i < scene.instances().size(); ++i) {
-                const uint64_t all = scene.meshOf(i).triangleCount();
-                if (all == 0) continue;
-                const std::span<const uint32_t> own = ofObject(scene, i, visible);
-                uint64_t drawn = 0;
-                if (structure.clusters) {
-                    for (; cluster != known.clusters.end() && cluster->instance == i; ++cluster) {
-                        list.ranges.push_back(*cluster);
-                        drawn += cluster->indexCount / 3;
-                    }
-                } else if (drawn = own.empty() ? 0 : byObjects ? all : own.size(); drawn == all) {
-                    list.ranges.push_back({i, 0, uint32_t(3 * all)});
-                } else {
-                    addRuns(list, i, scene.firstTriangle(i), own);
-                }
-                frame.counters().culledTriangles[size_t(Cause::Hidden)] += all - drawn;
-                if (frame.recording()) frame.say(end(i, drawn, all));
-            }
+            list.ranges = known.ranges;
+            frame.counters().culledTriangles[size_t(Cause::Hidden)] += structure.scene().triangleCount() - known.drawn;
         }
+        if (frame.recording()) sayObjects(frame, structure.scene(), known.ranges);
         frame.draw(std::move(list));
     }
     [[nodiscard]] Promise promiseOf(const OracleScene& /*structure*/, const ParameterSet& parameters,
@@ -133,14 +138,12 @@ protected:
     }
 
 private:
-    /// Ranges of consecutive triangles.
-    static void addRuns(DrawList& list, uint32_t instance, uint64_t first, std::span<const uint32_t> triangles) {
-        for (size_t i = 0; i < triangles.size(); ++i) {
-            const auto place = uint32_t(3 * (triangles[i] - first));
-            if (i > 0 && triangles[i] == triangles[i - 1] + 1)
-                list.ranges.back().indexCount += 3;
-            else
-                list.ranges.push_back({instance, place, 3});
+    static void sayObjects(FrameContext& frame, const Scene& scene, const std::vector<DrawRange>& ranges) {
+        auto range = ranges.begin();
+        for (uint32_t i = 0; i < scene.instances().size(); ++i) {
+            uint64_t drawn = 0;
+            for (; range != ranges.end() && range->instance == i; ++range) drawn += range->indexCount / 3;
+            if (const uint64_t all = scene.meshOf(i).triangleCount(); all > 0) frame.say(end(i, drawn, all));
         }
     }
     [[nodiscard]] static Decision end(uint32_t instance, uint64_t drawn, uint64_t all) {

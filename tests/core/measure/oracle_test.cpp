@@ -62,6 +62,8 @@ TEST(Oracle, drawsTheVisibleTrianglesAndNothingElse) {
                 const FrameLog log = exact->cull(view, Recording::Off, &GlEnvironment::renderer()).log;
                 EXPECT_EQ(trianglesOf(*scene, drawnTriangles(*scene, log)), truth.visibleTriangles)
                     << "seed " << seed << " view " << i;
+                EXPECT_EQ(log.counters.culledTriangles[size_t(Cause::Hidden)],
+                          scene->triangleCount() - truth.visibleTriangles.size());
                 const JudgedFrame judged = judge(GlEnvironment::renderer(), buffers, log, truth, target);
                 EXPECT_EQ(judged.lostPixels(), 0u);
                 EXPECT_EQ(judged.accuracy.extraPixels, 0u);
