@@ -199,11 +199,14 @@ void DepthPyramid::test(const View& view, std::span<const EyeBox> boxes, std::sp
 }
 
 BoxTicketPointer Renderer::askPyramid(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
-                                      std::span<const uint32_t> ends) {
+                                      std::span<const uint32_t> ends, uint64_t reduction) {
     auto ticket = std::make_shared<PyramidTicket>(m_programs->answers, boxes.size(), ends.empty() ? boxes.size() : ends.size());
     if (boxes.empty()) return ticket;
     if (!m_programs->pyramid) m_programs->pyramid = std::make_unique<DepthPyramid>();
-    m_programs->pyramid->reduce(drawn);
+    if (reduction == 0 || reduction != m_reductions) {
+        m_programs->pyramid->reduce(drawn);
+        ++m_reductions;
+    }
     m_programs->pyramid->test(view, boxes, ends, drawn, *ticket);
     return ticket;
 }

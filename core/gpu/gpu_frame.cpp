@@ -17,6 +17,7 @@ GpuFrame::GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& 
     : FrameContext(buffers.scene(), culling, recording), m_renderer(renderer), m_buffers(buffers) {}
 
 void GpuFrame::execute(const Command& command) {
+    m_reduction = 0;
     if (m_target != nullptr) m_renderer.execute(m_buffers, view(), command, *m_target, m_style, clearsNow());
 }
 
@@ -41,11 +42,13 @@ void GpuFrame::executeVisible(BoxTicket& ticket, const DrawList& candidates, siz
 }
 
 void GpuFrame::executeIndirectly(Renderer::Choice choice, size_t command) {
+    m_reduction = 0;
     m_renderer.execute(view(), choice, *m_target, m_style, clearsNow());
     m_choices.push_back({command, std::move(choice), {}});
 }
 
 void GpuFrame::executeKnown(DrawList list, size_t command) {
+    m_reduction = 0;
     m_choices.push_back({command, std::nullopt, std::move(list)});
     if (m_target != nullptr) m_renderer.execute(m_buffers, view(), m_choices.back().known, *m_target, m_style, clearsNow());
 }
@@ -69,7 +72,11 @@ std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, st
 }
 
 BoxTicketPointer GpuFrame::putQuestion(std::span<const EyeBox> boxes, std::span<const uint32_t> ends, BoxQuestion question) {
-    if (question == BoxQuestion::Pyramid) return m_renderer.askPyramid(view(), boxes, drawn(), ends);
+    if (question == BoxQuestion::Pyramid) {
+        BoxTicketPointer ticket = m_renderer.askPyramid(view(), boxes, drawn(), ends, m_reduction);
+        if (!boxes.empty()) m_reduction = m_renderer.reductions();
+        return ticket;
+    }
     if (question == BoxQuestion::DepthSoFar) return m_renderer.askBoxes(view(), boxes, drawn(), ends);
     return m_renderer.askBoxes(view(), boxes, ends);
 }

@@ -56,7 +56,8 @@ private:
     DrawStyle m_style;
     Framebuffer* m_target = nullptr;  ///< null: nothing had to be drawn yet
     std::unique_ptr<Framebuffer> m_own;
-    bool m_cleared = false;  ///< the target
+    bool m_cleared = false;    ///< the target
+    uint64_t m_reduction = 0;  ///< whose pyramid the target still looks like; 0: something was drawn since
     std::vector<PendingChoice> m_choices;
 };
 

@@ -165,9 +165,12 @@ public:
     /// The boxes, or groups, that lie before what was drawn into `drawn`, by the depth pyramid of that (BoxQuestion::Pyramid),
     /// without waiting. Hides no box that covers a sample at which it lies before, or at, what was drawn, if the box has grown
     /// for the rounding of a picture (visibility/eye_bounds.h): it is projected in float. One that reaches before the near plane
-    /// is visible.
+    /// is visible. `reduction`: the number of that which `drawn` still looks like (reductions() after an earlier question), 0
+    /// for none: where it is the newest, the depth is not reduced again.
     [[nodiscard]] BoxTicketPointer askPyramid(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn,
-                                              std::span<const uint32_t> ends = {});
+                                              std::span<const uint32_t> ends = {}, uint64_t reduction = 0);
+    /// How often a depth pyramid was made.
+    [[nodiscard]] uint64_t reductions() const { return m_reductions; }
     /// What its boxes were compared with; waits. Empty for other tickets, and those of another renderer.
     [[nodiscard]] std::vector<PyramidReading> readings(BoxTicket& ticket) const;
     /// Those results, the same at every call; waits at the first one where they are not there yet. None for a ticket of another
@@ -223,6 +226,7 @@ public:
 private:
     struct Programs;
     std::unique_ptr<Programs> m_programs;
+    uint64_t m_reductions = 0;
 };
 
 /// A draw list of every triangle of a scene, instance by instance.

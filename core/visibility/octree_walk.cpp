@@ -9,7 +9,6 @@ namespace cullscope {
 namespace {
 
 constexpr uint32_t kPlanes = 6;
-constexpr uint32_t kAllPlanes = (1u << kPlanes) - 1;
 
 /// The result of testing bounds against the planes of a mask, and by separating axes.
 struct MaskedTest {
@@ -251,7 +250,8 @@ SnapshotNode groupOf(const InstanceOctree::Node& node, const Box3& box, const Gr
 std::vector<KeptObject> keptObjects(const GroupTree& tree, FrameContext& frame, OctreeWalkCounters* counters,
                                     const OctreeWalkOptions& options) {
     GroupWalk walk(tree, frame, options);
-    if (!tree.nodes.empty()) walk.visit(0, kAllPlanes);
+    if (options.from.empty() && !tree.nodes.empty()) walk.visit(0, NodeEntry::kAllPlanes);
+    for (const NodeEntry& entry : options.from) walk.visit(entry.node, entry.planes);
     if (counters != nullptr) {
         counters->nodesVisited += walk.counters.nodesVisited;
         counters->objectsTested += walk.counters.objectsTested;

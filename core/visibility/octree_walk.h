@@ -70,6 +70,14 @@ struct GroupTree {
     [[nodiscard]] const Box3& boxOf(uint32_t node) const { return boxes.empty() ? nodes[node].box : boxes[node]; }
 };
 
+/// A node that a walk has still to visit.
+struct NodeEntry {
+    static constexpr uint32_t kAllPlanes = (1U << 6U) - 1;
+
+    uint32_t node = 0;
+    uint32_t planes = kAllPlanes;  ///< bit p: FrustumPlane p may cut it
+};
+
 struct OctreeWalkOptions {
     /// Tests groups and objects that are outside no plane by separating axes too (geometry/separation.h).
     bool refine = false;
@@ -86,6 +94,8 @@ struct OctreeWalkOptions {
     /// The parts of a node, and the objects of a leaf, are visited by their distance from the eye, the nearest first, in place of
     /// the octree's order.
     bool nearestFirst = false;
+    /// The nodes at which it begins, of which none lies within another. Empty: the root.
+    std::vector<NodeEntry> from{};
 };
 
 /// The objects of a scene that intersect a view's frustum, in the octree's order. The walk tests groups: a group outside a plane

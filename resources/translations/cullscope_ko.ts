@@ -7943,6 +7943,10 @@
         <source>%1 draws exactly the visible triangles, which are found beforehand: what any culling could gain at most. How much of that a method gains is its share of the headroom.</source>
         <translation>%1은(는) 보이는 삼각형만 정확히 그리며, 이들은 미리 찾아 둡니다. 어떤 컬링이든 얻을 수 있는 최대입니다. 방법이 그중 얼마를 얻는지가 여유 중 비율입니다.</translation>
     </message>
+    <message>
+        <source>How many objects of which nothing is known are tested before groups are, those that look largest: what they hide is left out by groups.</source>
+        <translation>알려진 것이 없는 물체 가운데 가장 커 보이는 것을 몇 개까지 그룹보다 먼저 검사하는지입니다. 이들이 가리는 것은 그룹 단위로 제외됩니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

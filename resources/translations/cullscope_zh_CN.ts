@@ -7943,6 +7943,10 @@
         <source>%1 draws exactly the visible triangles, which are found beforehand: what any culling could gain at most. How much of that a method gains is its share of the headroom.</source>
         <translation>%1 恰好绘制可见的三角形，它们是事先找出的：这是任何剔除最多能得到的。方法得到其中多少，就是它占余地的比例。</translation>
     </message>
+    <message>
+        <source>How many objects of which nothing is known are tested before groups are, those that look largest: what they hide is left out by groups.</source>
+        <translation>在测试组之前，先测试多少个尚无所知、看起来最大的物体：被它们遮挡之物按组剔除。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -8,16 +8,11 @@
 #include "core/frame/frame_context.h"
 #include "core/spatial/instance_octree.h"
 #include "core/visibility/occlusion/grown_box.h"
+#include "core/visibility/octree_walk.h"
 
 namespace cullscope::occlusion {
 
 inline constexpr uint32_t kPlanes = 6;
-
-/// A node that a walk has still to visit.
-struct NodeEntry {
-    uint32_t node = 0;
-    uint32_t planes = (1u << kPlanes) - 1;  ///< bit p: FrustumPlane p may cut it
-};
 
 /// How near a node is to the eye: by the nearest point of its box, then by its centre; both squared.
 struct Nearness {

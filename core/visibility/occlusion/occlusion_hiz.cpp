@@ -7,6 +7,7 @@
 #include "core/spatial/part_boxes.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/occlusion/hiz_groups.h"
 #include "core/visibility/occlusion/query_octree.h"
 #include "core/visibility/occlusion/two_passes.h"
 
@@ -14,6 +15,7 @@ namespace cullscope::occlusion {
 namespace {
 
 constexpr const char* kRounds = "rounds";
+constexpr const char* kLarge = "large";
 /// A box that is grown and tested takes about as long as this many steps (work_check.h).
 constexpr int kStepsOfABox = 4;
 
@@ -37,12 +39,15 @@ constexpr TwoPassLines kHizLines{.first = uint8_t(HizLine::First),
 struct HizOctree : Structure {
     using Structure::Structure;
     InstanceOctree octree;
+    std::vector<uint32_t> leaves;  ///< by object
+    std::vector<float> largest;    ///< by node
     PartBoxes parts;
 };
 
 struct HizMemory : ViewState {
     LastFailedPlanes planes;
     LastVisible last;
+    ShownGroups shown;
 
     [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<HizMemory>(*this); }
 };
@@ -56,14 +61,16 @@ public:
     }
 
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
-        const auto count = [&](HizLine line, Decision::Outcome outcome) {
+        using enum Decision::Outcome;
+        using enum Subject::Kind;
+        const auto count = [&](HizLine line, Decision::Outcome outcome, Subject::Kind kind = Object) {
             return uint64_t(std::ranges::count_if(log.decisions, [&](const Decision& decision) {
-                return decision.line == uint8_t(line) && decision.outcome == outcome;
+                return decision.line == uint8_t(line) && decision.outcome == outcome && decision.subject.kind == kind;
             }));
         };
-        using enum Decision::Outcome;
         return {{},
-                {{CULLSCOPE_TR("objects drawn first"), count(HizLine::First, Drawn), TriangleState::Visible},
+                {{CULLSCOPE_TR("groups hidden"), count(HizLine::Hidden, Culled, Node), TriangleState::Hidden},
+                 {CULLSCOPE_TR("objects drawn first"), count(HizLine::First, Drawn), TriangleState::Visible},
                  {CULLSCOPE_TR("objects tested"), count(HizLine::Test, Open)},
                  {CULLSCOPE_TR("objects hidden"), count(HizLine::Hidden, Culled), TriangleState::Hidden},
                  {CULLSCOPE_TR("objects drawn after a test"), count(HizLine::Draw, Drawn), TriangleState::Visible},
@@ -78,8 +85,11 @@ protected:
     void fill(HizOctree& structure, const ParameterSet& /*parameters*/, const Progress& progress) const override {
         const Scene& scene = structure.scene();
         structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
+        structure.leaves = leavesOfObjects(structure.octree, scene.instances().size());
+        structure.largest = largestOfNodes(structure.octree, scene);
         structure.parts = PartBoxes(scene, progress);
-        structure.report.bytes = structure.octree.bytes() + structure.parts.bytes();
+        structure.report.bytes = structure.octree.bytes() + structure.leaves.size() * sizeof(uint32_t) +
+                                 structure.largest.size() * sizeof(float) + structure.parts.bytes();
         uint64_t boxes = 0;
         for (uint32_t i = 0; i < scene.instances().size(); ++i) boxes += std::max<size_t>(structure.parts.of(i).size(), 1);
         structure.report.figures = {{"objects", double(scene.instances().size())},
@@ -90,25 +100,25 @@ protected:
     void decide(FrameContext& frame, const HizOctree& structure, HizMemory& memory,
                 const ParameterSet& parameters) const override {
         const StageTimer stage(frame, CULLSCOPE_TR("walk and pyramid"));
-        OctreeWalkCounters walked;
-        OctreeWalkOptions walk{.refine = true, .memory = &memory.planes, .lines = kHizWalkLines, .visited = {}};
-        // A group within the frustum is not drawn as a whole: what is hidden is found object by object.
-        walk.visited = [](uint32_t /*node*/, uint32_t /*planes*/) { return true; };
-        std::vector<KeptObject> kept = keptObjects(structure.octree, frame, &walked, walk);
-        sortNearestFirst(kept, frame.scene(), frame.view().eye());
-        const DrawnParts parts = partsOf(frame, structure, kept);
+        HizGroups groups(structure.octree, structure.largest, frame,
+                         {.large = size_t(parameters.integer(kLarge)),
+                          .lines = {kHizWalkLines, uint8_t(HizLine::Hidden)},
+                          .planes = &memory.planes},
+                         nodesAround(memory.last.visible(frame), structure.leaves, structure.octree), memory.shown);
+        DrawnParts parts(frame.view());
+        const auto add = [&](std::vector<KeptObject> kept) {
+            sortNearestFirst(kept, frame.scene(), frame.view().eye());
+            addParts(parts, frame, structure, kept);
+        };
+        add(groups.begin());
         TwoPassOptions options{.rounds = size_t(parameters.integer(kRounds)), .lines = kHizLines, .like = {frame.facing(), {}}};
-        FrameCounters& counters = frame.counters();
-        counters.culledTriangles[size_t(Cause::OutsideFrustum)] = walked.trianglesCulled;
-        counters.nodesVisited = walked.nodesVisited + walked.objectsTested;
-        counters.bytesTouched = walked.nodesVisited * sizeof(InstanceOctree::Node) + walked.objectsTested * sizeof(Box3) +
-                                parts.boxCount() * sizeof(Box3);
+        if (groups.waiting())
+            options.others = [&](SecondPass& pass) {
+                pass.draw();
+                add(groups.ask(pass));
+            };
         const TwoPassCounters counted = drawInTwoPasses(frame, parts, options, memory.last);
-        counters.workBytes = counted.pyramids > 0 ? pyramidBytes(frame.view().viewport()) : 0;
-        counters.figures = {{"first_objects", double(counted.first)},
-                            {"tested_objects", double(counted.tested)},
-                            {"tested_boxes", double(counted.boxes)},
-                            {"pyramids", double(counted.pyramids)}};
+        count(frame, counted, groups.counters());
     }
 
     [[nodiscard]] Promise promiseOf(const HizOctree& /*structure*/, const ParameterSet& /*parameters*/,
@@ -124,23 +134,36 @@ protected:
     }
 
 private:
+    static void count(FrameContext& frame, const TwoPassCounters& counted, const HizGroupCounters& groups) {
+        FrameCounters& counters = frame.counters();
+        counters.culledTriangles[size_t(Cause::OutsideFrustum)] = groups.walked.trianglesCulled;
+        counters.nodesVisited = groups.walked.nodesVisited + groups.walked.objectsTested;
+        counters.bytesTouched = groups.walked.nodesVisited * sizeof(InstanceOctree::Node) +
+                                groups.walked.objectsTested * sizeof(Box3) + counted.boxes * sizeof(Box3);
+        counters.workBytes = counted.pyramids > 0 ? pyramidBytes(frame.view().viewport()) : 0;
+        counters.figures = {{"first_objects", double(counted.first)},       {"tested_groups", double(counted.groups)},
+                            {"hidden_groups", double(groups.hiddenGroups)}, {"tested_objects", double(counted.tested)},
+                            {"tested_boxes", double(counted.boxes)},        {"pyramids", double(counted.pyramids)}};
+    }
+
     /// The objects with triangles, by the boxes of their parts, or by their own.
-    static DrawnParts partsOf(const FrameContext& frame, const HizOctree& structure, const std::vector<KeptObject>& kept) {
+    static void addParts(DrawnParts& parts, const FrameContext& frame, const HizOctree& structure,
+                         const std::vector<KeptObject>& kept) {
         const Progress progress{nullptr, frame.stop()};
         WorkCheck work(progress);
         const Scene& scene = frame.scene();
-        DrawnParts parts(frame.view());
         for (const auto& [instance, planes] : kept) {
             const auto indices = uint32_t(scene.meshOf(instance).indices().size());
             if (indices == 0) continue;
-            parts.add(instance, Subject::ofObject(instance), {instance, 0, indices});
+            const Sphere& sphere = scene.instanceSphere(instance);
+            parts.add(instance, Subject::ofObject(instance), {instance, 0, indices}).distance =
+                glm::length(sphere.centre - frame.view().eye()) - sphere.radius;
             const std::span<const Box3> smaller = structure.parts.of(instance);
             for (const Box3& box : smaller.empty() ? std::span(&scene.instanceBox(instance), 1) : smaller) {
                 for (int step = 0; step < kStepsOfABox; ++step) work.step();
                 parts.addBox(grownBox(box, frame.view()));
             }
         }
-        return parts;
     }
 };
 
@@ -170,10 +193,13 @@ RegisteredStrategy occlusionHiz() {
         {facingParameter(),
          wholeParameter(kRounds, 2, 1, 8,
                         CULLSCOPE_TR("In how many rounds the other objects are tested and drawn, the nearest first: what one "
-                                     "draws hides what the next one tests."))},
+                                     "draws hides what the next one tests.")),
+         wholeParameter(kLarge, 128, 0, 1e9,
+                        CULLSCOPE_TR("How many objects of which nothing is known are tested before groups are, those that look "
+                                     "largest: what they hide is left out by groups."))},
         GlRequirement::Context};
     info.remembers = true;
-    info.sweeps = {{kRounds, {"1", "2", "3", "4", "6"}}};
+    info.sweeps = {{kRounds, {"1", "2", "3", "4", "6"}}, {kLarge, {"0", "32", "128", "512", "1000000000"}}};
     info.shows = {treeShow(), hizListing(), barsShow("pyramid-objects", CULLSCOPE_TR("Objects by the depth pyramid"))};
     return {std::move(info), std::make_shared<OcclusionHiz>()};
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "core/base/message.h"
 #include "core/visibility/object_nodes.h"
@@ -23,22 +25,18 @@ std::vector<size_t> batchEnds(size_t count, size_t rounds) {
     return ends;
 }
 
-class TwoPasses {
+class TwoPasses final : private SecondPass {
 public:
     TwoPasses(FrameContext& frame, const DrawnParts& parts, const TwoPassOptions& options, const LastVisible& before)
         : m_frame(frame), m_parts(parts), m_options(options), m_lines(options.lines), m_visible(before.visible(frame)) {}
 
     void run() {
         firstPass();
-        size_t first = 0;
-        for (const size_t end : batchEnds(m_rest.size(), m_options.rounds)) {
-            const std::span<const Part* const> batch = std::span(m_rest).subspan(first, end - first);
-            if (m_anything)
-                drawUnhidden(batch);
-            else
-                drawUntested(batch);
-            first = end;
+        if (m_options.others) {
+            m_options.others(*this);
+            firstPass();
         }
+        secondPass(m_options.rounds);
     }
 
     /// What the next frame remembers.
@@ -57,7 +55,7 @@ public:
         std::ranges::sort(next.unasked);
         for (const Part* part : asked) next.asked.push_back(part->key);
         if (asked.empty()) return next;
-        next.ticket = ask(asked);
+        next.ticket = ask(m_parts, asked);
         if (m_frame.recording()) sayLast(asked, *next.ticket);
         return next;
     }
@@ -65,9 +63,11 @@ public:
     [[nodiscard]] const TwoPassCounters& counters() const { return m_counters; }
 
 private:
+    /// Of the parts that were added since.
     void firstPass() {
         DrawList list = m_options.like;
-        for (const Part& part : m_parts.parts()) {
+        for (; m_begun < m_parts.parts().size(); ++m_begun) {
+            const Part& part = m_parts.parts()[m_begun];
             const bool visible = std::ranges::binary_search(m_visible, part.key);
             if (part.askable && !visible) {
                 m_rest.push_back(&part);
@@ -86,9 +86,51 @@ private:
         draw(std::move(list));
     }
 
+    void secondPass(size_t rounds) {
+        const std::vector<const Part*> rest = nearestFirst(std::exchange(m_rest, {}));
+        size_t first = 0;
+        for (const size_t end : batchEnds(rest.size(), rounds)) {
+            const std::span<const Part* const> batch = std::span(rest).subspan(first, end - first);
+            if (m_anything)
+                drawUnhidden(batch);
+            else
+                drawUntested(batch);
+            first = end;
+        }
+    }
+    [[nodiscard]] static std::vector<const Part*> nearestFirst(std::vector<const Part*> parts) {
+        std::ranges::stable_sort(parts, {}, &Part::distance);
+        return parts;
+    }
+
+    void draw() override {
+        firstPass();
+        secondPass(1);
+    }
+
+    [[nodiscard]] std::optional<std::vector<uint32_t>> shown(const DrawnParts& groups) override {
+        if (!m_anything) return std::nullopt;
+        std::vector<const Part*> asked;
+        for (const Part& group : groups.parts()) asked.push_back(&group);
+        m_counters.groups += asked.size();
+        const BoxTicketPointer ticket = ask(groups, asked);
+        std::vector<uint32_t> visible = m_frame.answer(*ticket).value_or(allOf(asked));
+        if (m_frame.recording()) {
+            const std::vector<PyramidReading> readings = m_frame.readings(*ticket);
+            for (uint32_t i = 0; i < asked.size(); ++i)
+                say(*asked[i], m_lines.test, tested(*asked[i], !std::ranges::binary_search(visible, i), readings[i]));
+        }
+        return visible;
+    }
+    [[nodiscard]] static std::vector<uint32_t> allOf(std::span<const Part* const> parts) {
+        std::vector<uint32_t> numbers(parts.size());
+        std::iota(numbers.begin(), numbers.end(), 0U);
+        return numbers;
+    }
+
     void draw(DrawList list) {
         if (list.ranges.empty()) return;
-        m_anything = true;
+        m_anything = m_changed = true;
         m_frame.draw(std::move(list));
     }
 
@@ -106,9 +148,10 @@ private:
 
     void drawUnhidden(std::span<const Part* const> batch) {
         m_counters.tested += batch.size();
-        const BoxTicketPointer ticket = ask(batch);
+        const BoxTicketPointer ticket = ask(m_parts, batch);
         if (m_frame.recording()) sayTests(batch, *ticket);
         m_frame.drawVisible(*ticket, listOf(batch));
+        m_changed = true;
     }
 
     [[nodiscard]] DrawList listOf(std::span<const Part* const> batch) const {
@@ -118,16 +161,20 @@ private:
         return list;
     }
 
-    [[nodiscard]] BoxTicketPointer ask(std::span<const Part* const> parts) {
+    [[nodiscard]] BoxTicketPointer ask(const DrawnParts& all, std::span<const Part* const> parts) {
         std::vector<EyeBox> boxes;
         std::vector<uint32_t> ends;
         for (const Part* part : parts) {
-            const std::span<const EyeBox> own = m_parts.boxesOf(*part);
+            const std::span<const EyeBox> own = all.boxesOf(*part);
             boxes.insert(boxes.end(), own.begin(), own.end());
             ends.push_back(uint32_t(boxes.size()));
         }
         m_counters.boxes += boxes.size();
-        ++m_counters.pyramids;
+        if (m_changed) {
+            ++m_counters.pyramids;
+            if (m_frame.recording()) sayReduction();
+        }
+        m_changed = false;
         if (boxes.size() == ends.size()) ends.clear();
         return m_frame.ask(std::move(boxes), BoxQuestion::Pyramid, std::move(ends));
     }
@@ -165,7 +212,6 @@ private:
     }
 
     void sayTests(std::span<const Part* const> batch, BoxTicket& ticket) {
-        sayReduction();
         const std::vector<uint32_t> visible = m_frame.answer(ticket).value_or(std::vector<uint32_t>{});
         const std::vector<PyramidReading> readings = m_frame.readings(ticket);
         size_t box = 0;
@@ -207,7 +253,6 @@ private:
     }
 
     void sayLast(std::span<const Part* const> asked, BoxTicket& ticket) {
-        sayReduction();
         const std::vector<uint32_t> visible = m_frame.answer(ticket).value_or(std::vector<uint32_t>{});
         for (uint32_t i = 0; i < asked.size(); ++i) {
             const bool shows = std::ranges::binary_search(visible, i);
@@ -226,7 +271,9 @@ private:
     TwoPassLines m_lines;
     std::vector<uint64_t> m_visible;  ///< keys of what was visible before
     std::vector<const Part*> m_rest;  ///< of the second pass
+    size_t m_begun = 0;               ///< parts that are drawn first, or in the rest
     bool m_anything = false;          ///< is drawn
+    bool m_changed = true;            ///< the depth, since it was reduced
     TwoPassCounters m_counters;
 };
 

@@ -10,6 +10,7 @@
 #include "core/visibility/single_triangles.h"
 #include "core/visibility/spherical/cell_walk.h"
 #include "core/visibility/spherical/listings.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
 
 namespace cullscope::spherical {

@@ -27,6 +27,7 @@ const std::vector<Method> kMethods{
     {"occlusion-chc", {{"batch", "3"}, {"retest", "2"}, {"phase", "same"}, {"leaf", "3"}}},
     {"occlusion-chc", {{"batch", "4096"}, {"together", "4096"}, {"area", "100"}, {"depth", "8"}, {"leaf", "20"}}},
     {"occlusion-hiz", {{"rounds", "1"}}},
+    {"occlusion-hiz", {{"large", "0"}}},
     {"occlusion-hiz", {{"rounds", "3"}, {"facing", "two-sided"}}},
     {"clusters", {{"occlusion", "hiz"}, {"size", "16"}}}};
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "core/spatial/instance_octree.h"
 #include "core/visibility/why.h"
@@ -35,9 +36,10 @@ Culled frameOf(Culler& culler, const View& view, Recording recording = Recording
 
 uint64_t hidden(const Culled& frame) { return frame.culledTriangles[size_t(Cause::Hidden)]; }
 
-size_t saidAt(const Culled& frame, uint8_t line, Decision::Outcome outcome) {
-    return size_t(std::ranges::count_if(
-        frame.log.decisions, [&](const Decision& decision) { return decision.line == line && decision.outcome == outcome; }));
+size_t saidAt(const Culled& frame, uint8_t line, Decision::Outcome outcome, std::optional<Subject::Kind> of = {}) {
+    return size_t(std::ranges::count_if(frame.log.decisions, [&](const Decision& decision) {
+        return decision.line == line && decision.outcome == outcome && (!of || decision.subject.kind == *of);
+    }));
 }
 
 TEST(OcclusionHiz, drawsWhatWasVisibleFirstAndHidesTheRestByIt) {
@@ -93,6 +95,68 @@ TEST(OcclusionHiz, whatComesIntoSightIsDrawnInTheSameFrame) {
     EXPECT_EQ(drawn(frameOf(*culler, standardView())), (Objects{0, 1}));
 }
 
+TEST(OcclusionHiz, aGroupInWhichNothingWasVisibleIsHiddenByOneTest) {
+    const ScenePointer scene = boxesBehindHalfAWall();
+    const CullerPointer byGroups = occlusionHiz(*scene, {{"large", "0"}}),
+                        byObjects = occlusionHiz(*scene, {{"large", "1000000000"}});
+    for (int frame = 0; frame < 4; ++frame) {
+        const Culled grouped = frameOf(*byGroups, standardView()), single = frameOf(*byObjects, standardView());
+        EXPECT_EQ(drawn(grouped), drawn(single)) << frame;
+        EXPECT_EQ(grouped.culledTriangles, single.culledTriangles) << frame;
+        EXPECT_EQ(figure(single, "tested_groups"), 0);
+        if (frame == 0) {
+            EXPECT_EQ(figure(grouped, "tested_groups"), 0) << "nothing is known yet";
+            continue;
+        }
+        EXPECT_GT(figure(single, "tested_objects"), 150);
+        EXPECT_GT(figure(grouped, "hidden_groups"), 0);
+        EXPECT_LT(figure(grouped, "tested_groups") + figure(grouped, "tested_objects"), 0.5 * figure(single, "tested_objects"));
+        using enum Subject::Kind;
+        EXPECT_EQ(saidAt(grouped, kHidden, Decision::Outcome::Culled, Node), size_t(figure(grouped, "hidden_groups")));
+        EXPECT_EQ(saidAt(grouped, kTest, Decision::Outcome::Open, Node), size_t(figure(grouped, "tested_groups")));
+        EXPECT_LE(figure(grouped, "pyramids"), figure(single, "pyramids") + 1) << "one serves all groups";
+    }
+}
+
+TEST(OcclusionHiz, whatIsInAGroupThatComesIntoSightIsDrawnInTheSameFrame) {
+    const ScenePointer scene = boxesBehindHalfAWall();
+    const CullerPointer culler = occlusionHiz(*scene, {{"large", "0"}});
+    for (int frame = 0; frame < 3; ++frame) (void)frameOf(*culler, standardView());
+    EXPECT_GT(figure(frameOf(*culler, standardView()), "hidden_groups"), 0);
+    // The wall lies behind the eye.
+    const View behind = viewFrom({0, 0, -4});
+    const Culled first = frameOf(*culler, behind);
+    EXPECT_GT(figure(first, "tested_groups"), 0);
+    EXPECT_EQ(figure(first, "hidden_groups"), 0);
+    EXPECT_EQ(hidden(first), 0U);
+    EXPECT_EQ(drawn(first), drawn(frameOf(*occlusionHiz(*scene), behind))) << "all in the frustum, as without a past";
+    EXPECT_EQ(figure(frameOf(*culler, behind), "tested_groups"), 0) << "all was visible";
+}
+
+TEST(OcclusionHiz, aGroupThatShowsThoughNothingInItDoesIsNotAskedAboutAgainAtOnce) {
+    // Two walls with a gap between them hide every box of a row; the box around the row shows in the gap.
+    std::vector<MeshPointer> meshes{meshOf({{-9, -9, -3}, {-0.4f, -9, -3}, {-0.4f, 9, -3}, {-9, 9, -3}}, {0, 1, 2, 0, 2, 3}),
+                                    meshOf({{0.4f, -9, -3}, {9, -9, -3}, {9, 9, -3}, {0.4f, 9, -3}}, {0, 1, 2, 0, 2, 3})};
+    std::vector<Mat4> places{Mat4(1.0), Mat4(1.0)};
+    for (int i = 0; i < 64; ++i) {
+        meshes.push_back(boxMesh(Vec3f(-0.1f), Vec3f(0.1f)));
+        places.push_back(translation({(i % 2 == 0 ? -1.0 : 1.0) * (4.0 + 0.1 * (i / 2)), 0, -20.0}));
+    }
+    const ScenePointer scene = sceneOf(std::move(meshes), places);
+    const CullerPointer culler = occlusionHiz(*scene, {{"large", "0"}});
+    std::vector<double> shown;
+    for (int frame = 0; frame < 40; ++frame) {
+        const Culled culled = frameOf(*culler, standardView());
+        shown.push_back(figure(culled, "tested_groups") - figure(culled, "hidden_groups"));
+        if (frame > 0) {
+            EXPECT_EQ(drawn(culled), (Objects{0, 1})) << frame;
+        }
+    }
+    EXPECT_GT(shown[1], 0);
+    for (int frame = 2; frame < 17; ++frame) EXPECT_EQ(shown[size_t(frame)], 0) << frame;
+    EXPECT_EQ(shown[17], shown[1]) << "after 16 frames it is asked about again";
+}
+
 TEST(OcclusionHiz, whatReachesBeforeTheNearPlaneIsDrawnFirstWithoutATest) {
     // The sphere around the eye hides the square at distance 1.5, but not what reaches before the near plane.
     const ScenePointer scene =
@@ -113,16 +177,17 @@ TEST(OcclusionHiz, whatReachesBeforeTheNearPlaneIsDrawnFirstWithoutATest) {
 
 TEST(OcclusionHiz, recordedFramesDrawAndCountWhatMeasuredOnesDo) {
     const ScenePointer scene = boxesBehindHalfAWall();
-    for (const char* rounds : {"1", "3"}) {
-        const CullerPointer recorded = occlusionHiz(*scene, {{"rounds", rounds}});
-        const CullerPointer measured = occlusionHiz(*scene, {{"rounds", rounds}});
+    for (const Settings& settings : {Settings{{"rounds", "1"}}, {{"rounds", "3"}}, {{"large", "0"}}}) {
+        const CullerPointer recorded = occlusionHiz(*scene, settings);
+        const CullerPointer measured = occlusionHiz(*scene, settings);
         for (int frame = 0; frame < 4; ++frame) {
             const View view = viewFrom({0.3 * frame, 0, 0});
             const Culled one = frameOf(*recorded, view), other = frameOf(*measured, view, Recording::Off);
             EXPECT_EQ(drawn(one), drawn(other));
             EXPECT_EQ(one.culledTriangles, other.culledTriangles);
             EXPECT_EQ(one.log.commands.size(), other.log.commands.size());
-            for (const char* name : {"first_objects", "tested_objects", "tested_boxes", "pyramids"})
+            for (const char* name :
+                 {"first_objects", "tested_groups", "hidden_groups", "tested_objects", "tested_boxes", "pyramids"})
                 EXPECT_EQ(figure(one, name), figure(other, name));
             EXPECT_GT(
                 saidAt(one, frame == 0 ? kDraw : kHidden, frame == 0 ? Decision::Outcome::Drawn : Decision::Outcome::Culled), 0u);
@@ -154,8 +219,8 @@ TEST(OcclusionHiz, copiesOfAMemoryDecideTheSameAndThatOfAnotherRendererTellsNoth
 
 TEST(OcclusionHiz, decisionsEndForEveryObjectOnceAndTestsStandBeforeTheirDraw) {
     const ScenePointer scene = boxesBehindHalfAWall();
-    for (const char* rounds : {"1", "4"}) {
-        const CullerPointer culler = occlusionHiz(*scene, {{"rounds", rounds}});
+    for (const Settings& settings : {Settings{{"rounds", "1"}}, {{"rounds", "4"}}, {{"large", "0"}}}) {
+        const CullerPointer culler = occlusionHiz(*scene, settings);
         for (int number = 0; number < 3; ++number) {
             const Culled frame = frameOf(*culler, standardView());
             const size_t lines = culler->built()->info().first(Show::Kind::Listing)->lines.size();
@@ -206,7 +271,7 @@ TEST(OcclusionHiz, treeWhyAndCountsTellWhatIsHidden) {
     const Bars bars = culler->built()->bars(frame.log).at(0);
     std::vector<uint64_t> values;
     for (const Bar& bar : bars.bars) values.push_back(bar.value);
-    EXPECT_THAT(values, testing::ElementsAre(2, 12, 12, 0, 2));
+    EXPECT_THAT(values, testing::ElementsAre(0, 2, 12, 12, 0, 2));
     const auto has = [&](uint32_t instance, const std::string& words) {
         for (const WhyStep& step : why(*culler->built(), frame.log, scene->firstTriangle(instance)))
             if (step.sentence.english().find(words) != std::string::npos) return true;
