@@ -10,6 +10,9 @@
 namespace cullscope {
 namespace {
 
+/// A table of more columns does not fit a sheet of paper at the size of the others.
+constexpr size_t kManyColumns = 20;
+
 /// Letters as large as a projector needs, and columns that a sheet of paper holds. A table that is wider than the text takes the
 /// window's width; one that is wider than that is scrolled, and on paper it is printed smaller.
 constexpr const char* kReportStyle = R"(
@@ -46,6 +49,7 @@ nav a { color: inherit; }
     h1 { font-size: 20pt; } h2 { font-size: 14pt; margin-top: 18pt; break-after: avoid; } h2 + p { break-after: avoid; }
     .wide { overflow: visible; width: auto; min-width: 0; max-width: none; margin-left: 0; transform: none; }
     table { font-size: 7.5pt; } th, td { padding: 1.5pt 4pt; } thead { display: table-header-group; } tr { break-inside: avoid; }
+    table.many { font-size: 6pt; } .many th, .many td { padding: 1pt 2pt; }
     td { white-space: normal; } td.words { min-width: 0; }
     pre { font-size: 8pt; break-inside: avoid; break-before: avoid; }
     figure { break-inside: avoid; } figure img { max-height: 120mm; margin: 0 auto; }
@@ -142,7 +146,8 @@ std::string rowsHtml(const ResultTable& table) {
     std::vector<size_t> columns;
     for (size_t i = 0; i < table.columns.size(); ++i)
         if (used(table, i)) columns.push_back(i);
-    std::string html = "<div class=\"wide\"><table>\n<thead><tr class=\"origins\">";
+    std::string html = fmt::format("<div class=\"wide\"><table{}>\n<thead><tr class=\"origins\">",
+                                   columns.size() > kManyColumns ? " class=\"many\"" : "");
     for (const size_t i : columns) html += fmt::format("<th{}>{}</th>", classesOf(table, i), originWord(table.columns[i].origin));
     html += "</tr>\n<tr>";
     for (const size_t i : columns) html += fmt::format("<th{}>{}</th>", classesOf(table, i), cellHtml(table.columns[i].title));

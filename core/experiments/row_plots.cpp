@@ -163,7 +163,8 @@ LinePlot plotOf(const RowPlot& described, const ResultTable& table, const RowWor
             if (line.points.empty()) continue;
             if (described.byX) std::ranges::stable_sort(line.points, {}, &PlotPoint::x);
             if (described.namesExponents && line.points.size() > 1)
-                line.name += fmt::format(": power {:.2f}", exponentOf(line.points));
+                // Zero has no sign: a line that does not grow is named "0.00".
+                line.name += fmt::format(": power {:.2f}", std::round(100.0 * exponentOf(line.points)) / 100.0 + 0.0);
             plot.lines.push_back(std::move(line));
         }
     }

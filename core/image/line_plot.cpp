@@ -160,7 +160,11 @@ std::string plotNumber(double value) {
     if (powerOfTen && (value < kLeastPlainPower * (1.0 - kStepTolerance) || value > kMostPlainPower * (1.0 + kStepTolerance)))
         return fmt::format("1e{:.0f}", power);
     // Six digits hide the rounding of a step's multiples.
-    return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
+    std::string text = fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
+    const size_t exponent = text.find('e');
+    if (exponent == std::string::npos) return text;
+    // As powers of ten are written: 2e6 and 2e-7.
+    return fmt::format("{}e{}", text.substr(0, exponent), std::stoi(text.substr(exponent + 1)));
 }
 
 double exponentOf(const std::vector<PlotPoint>& points) {

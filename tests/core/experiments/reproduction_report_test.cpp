@@ -46,6 +46,19 @@ TEST(ReproductionReport, sourceAndMeasurementStandBesideEachOtherOverTheirComman
     EXPECT_THAT(html, HasSubstr("PHN2Zz48L3N2Zz4=")) << "the figure stands in the page";
 }
 
+TEST(ReproductionReport, aTableOfManyColumnsIsPrintedSmaller) {
+    EXPECT_THAT(reproductionHtml(smallReport()), HasSubstr("<table>\n<thead>"));
+    ReproductionReport report = smallReport();
+    ResultTable& table = report.tables[0].table;
+    table.columns.clear();
+    table.rows.clear();
+    for (int i = 0; i < 24; ++i) table.columns.push_back({std::to_string(i), "figure"});
+    Row row;
+    for (int i = 0; i < 24; ++i) row[std::to_string(i)] = double(i);
+    table.addRow(row);
+    EXPECT_THAT(reproductionHtml(report), HasSubstr("<table class=\"many\">\n<thead>"));
+}
+
 TEST(ReproductionReport, needsNothingBesideItAndTakesWordsAsWords) {
     ReproductionReport report = smallReport();
     const std::string html = reproductionHtml(report);

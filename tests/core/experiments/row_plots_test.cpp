@@ -91,6 +91,18 @@ TEST(RowPlots, powersBeginAtTheFirstPoint) {
     EXPECT_DOUBLE_EQ(lines[2].points[1].y, 100.0);
 }
 
+TEST(RowPlots, whatDoesNotGrowHasPowerZeroWithoutASign) {
+    ResultTable table;
+    for (const char* key : {"size", "ms"}) table.columns.push_back({key, key});
+    table.addRow({{"size", 1.0}, {"ms", 1.0}});
+    table.addRow({{"size", 10.0}, {"ms", 0.999}});
+    RowPlot plot;
+    plot.x = "size";
+    plot.y = {{"ms", "time"}};
+    plot.namesExponents = true;
+    EXPECT_EQ(plotsOf(plot, table)[0].lines[0].name, "time: power 0.00");
+}
+
 TEST(RowPlots, cellsStandAtTheirPlacesInTheColourOfTheirStep) {
     ResultTable table;
     for (const char* key : {"d", "f", "v"}) table.columns.push_back({key, key});

@@ -150,6 +150,8 @@ TEST(LinePlot, numbersAreShortAndRight) {
     EXPECT_EQ(plotNumber(0.1 + 0.2), "0.3");
     EXPECT_EQ(plotNumber(0.0), "0");
     EXPECT_EQ(plotNumber(-15.0), "-15");
+    EXPECT_EQ(plotNumber(2e6), "2e6");
+    EXPECT_EQ(plotNumber(2.5e-7), "2.5e-7");
     EXPECT_EQ(plotNumber(33.0), "33");
     EXPECT_EQ(plotNumber(1e4), "10000");
     EXPECT_EQ(plotNumber(1e6), "1e6");
