@@ -1,6 +1,7 @@
 #include "core/visibility/occlusion/hiz_groups.h"
 
 #include <algorithm>
+#include <limits>
 #include <queue>
 #include <utility>
 
@@ -81,7 +82,9 @@ std::vector<KeptObject> HizGroups::largest() {
         for (const NodeEntry& entry : std::exchange(m_waiting, {})) {
             const Box3& box = m_octree.nodes()[entry.node].box;
             const Vec3 beyond = glm::max(glm::max(box.min - eye, eye - box.max), Vec3(0.0));
-            queue.push({double(m_largest[entry.node]) / glm::dot(beyond, beyond), entry});
+            // Around the eye it looks as large as can be, unless it has no size.
+            const double distance = std::max(glm::dot(beyond, beyond), std::numeric_limits<double>::min());
+            queue.push({double(m_largest[entry.node]) / distance, entry});
         }
     };
     takeWaiting();
