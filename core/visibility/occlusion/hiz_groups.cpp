@@ -98,7 +98,12 @@ std::vector<KeptObject> HizGroups::largest() {
         kept.insert(kept.end(), objects.begin(), objects.end());
         takeWaiting();
     }
-    for (; !queue.empty(); queue.pop()) m_waiting.push_back(queue.top().entry);
+    std::vector<NodeEntry> left;
+    for (; !queue.empty(); queue.pop()) left.push_back(queue.top().entry);
+    if (left.empty()) return kept;
+    // Of the groups that are left some are too small to be asked about, or rest after they showed.
+    const std::vector<KeptObject> others = walk(std::move(left), Waits::Asked);
+    kept.insert(kept.end(), others.begin(), others.end());
     return kept;
 }
 
