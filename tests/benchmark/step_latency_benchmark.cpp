@@ -4,10 +4,11 @@
 //
 //   step_latency_benchmark [scene] [strategy] [limit in ms] [steps of a kind]        needs a display
 //   step_latency_benchmark all FOLDER [mesh] [steps of a kind]
+//   step_latency_benchmark lessons FOLDER [times] [lesson]…
 //
 // `all` steps the quiz and 500 polygons by the lecture's six methods, at most 50 ms a step, and a large mesh (a sphere of 144,046
 // triangles, unless a file is named) by `spherical`, seen whole and cut by the frustum, at most 100 ms. The table is written to
-// FOLDER.
+// FOLDER. `lessons` goes through the steps of the program's own lessons instead (lesson_latency.h).
 #include <QApplication>
 #include <QDir>
 #include <QScreen>
@@ -20,6 +21,7 @@
 
 #include "core/geometry/random.h"
 #include "core/measure/statistics.h"
+#include "tests/benchmark/lesson_latency.h"
 #include "tests/benchmark/run_experiment.h"
 #include "ui/startup/display.h"
 #include "ui/window/main_window.h"
@@ -259,9 +261,15 @@ int main(int argc, char** argv) try {
     const std::vector<std::string> arguments(argv + 1, argv + argc);
     const auto argument = [&](size_t i, const char* usual) { return i < arguments.size() ? arguments[i] : std::string(usual); };
     const std::string large = "sphere:triangles=144046";
+    const bool all = argument(0, "") == "all", lessons = argument(0, "") == "lessons";
+    if ((all || lessons) && arguments.size() < 2) throw std::runtime_error(arguments[0] + ": name the folder for the table");
+    if (lessons) {
+        const auto named = arguments.begin() + ptrdiff_t(std::min<size_t>(arguments.size(), 3));
+        return benchmark::runAndReport(
+            {benchmark::lessonLatency(std::stoi(argument(2, "3")), {named, arguments.end()}), arguments[1]});
+    }
     SteppedWindow stepped;
-    if (argument(0, "") == "all") {
-        if (arguments.size() < 2) throw std::runtime_error("all: name the folder for the table");
+    if (all) {
         const int times = std::stoi(argument(3, std::to_string(kUsualTimes).c_str()));
         return benchmark::runAndReport({stepLatency(stepped, allScenes(argument(2, large.c_str())), times), arguments[1]});
     }

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
+#include "tests/ui/lesson_on_screen.h"
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
 
@@ -32,19 +31,7 @@ struct Lessons : ::testing::Test {
     LessonPlayer& player() { return window.lessons().player(); }
     SceneView& picture(int view) { return window.views().pane(view).picture(); }
 
-    /// Whether all panels, also those of a lecture and below views, show what the present frames decided.
-    [[nodiscard]] bool panelsAreRead() {
-        return std::ranges::all_of(window.findChildren<SnapshotReader*>(),
-                                   [](const SnapshotReader* reader) { return reader->fresh() || !reader->wanted(); });
-    }
-    [[nodiscard]] bool onScreen() {
-        if (player().opening() || session.loader().loading() || !session.buffers()) return false;
-        for (const int view : session.shownViews())
-            if (session.slot(session.culledBy(view)).building() || !session.viewRequest(view) ||
-                !session.pictures()->isCurrent(view))
-                return false;
-        return (!player().current().state.place || session.step()) && panelsAreRead();
-    }
+    [[nodiscard]] bool onScreen() { return lessonStepIsOnScreen(window, session); }
     void go(int step) {
         player().go(step);
         awaitStep();

@@ -1,14 +1,10 @@
 // Lessons in the window: every step of every lesson shows what it says, in every language, without waiting for a measurement.
 #include <gmock/gmock.h>
 
-#include <QElapsedTimer>
 #include <QTemporaryDir>
 #include <algorithm>
-#include <cstdio>
-#include <ctime>
 
 #include "core/scene/camera_path.h"
-#include "tests/support/long_mode.h"
 #include "tests/ui/lesson_window.h"
 #include "ui/text/terms.h"
 
@@ -95,30 +91,6 @@ TEST_F(Lessons, twoActionsShowTheThreeCasesEachWithCameraObserverMapAndLoss) {
             EXPECT_GT(session.picture(column)->missed, 100u) << "column " << column << " shows a loss";
     }
     for (const int other : {1, 2}) EXPECT_NE(session.cullingCamera(0), session.cullingCamera(other));
-}
-
-TEST_F(Lessons, everyStepIsOnScreenWithinASecond) {
-    if (!test::longMode()) GTEST_SKIP() << "CULLSCOPE_LONG=1 walks through all lessons.";
-    // On a machine that does other things as well, the processor's time of all threads says more than the clock.
-    const auto secondsOf = [](const auto& work) {
-        QElapsedTimer clock;
-        clock.start();
-        const std::clock_t begun = std::clock();
-        work();
-        return std::min(1e-3 * double(clock.elapsed()), double(std::clock() - begun) / CLOCKS_PER_SEC);
-    };
-    for (const QString& name : LessonPlayer::known()) {
-        std::string line = name.toStdString() + ':';
-        const double first = secondsOf([&] { begin(name); });
-        for (int step = 0; step < player().count(); ++step) {
-            const double seconds = step == 0 ? first : secondsOf([&] { go(step); });
-            // The bunny, or where it is missing the teapot; other scenes may be larger.
-            EXPECT_LT(seconds, player().current().defaultScene ? 1.0 : 2.0) << name.toStdString() << ", step " << step + 1;
-            line += QString::asprintf(" %.2f", seconds).toStdString();
-        }
-        RecordProperty(name.toStdString(), line);
-        std::printf("%s s\n", line.c_str());
-    }
 }
 
 TEST_F(Lessons, presentersKeysWalkThroughTheLessonAndAnotherPairStepsTheFrame) {

@@ -6,6 +6,11 @@
 #include "core/visibility/registry.h"
 
 namespace cullscope::ui {
+namespace {
+
+constexpr qint64 kLong = 1000;  // ms
+
+}  // namespace
 
 StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, std::shared_ptr<StructureStore> structures,
                            QObject* parent)
@@ -17,10 +22,15 @@ StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refu
 
 void StrategySlot::choose(const std::string& id) {
     if (id == m_id) return void(m_everChosen = true);
-    // findStrategy throws for an unknown id, before any member changes.
-    m_parameters = ParameterSet(findStrategy(id).info.parameters);
-    m_id = id;
+    choose(id, ParameterSet(findStrategy(id).info.parameters));
+}
+
+void StrategySlot::choose(const std::string& id, const ParameterSet& parameters) {
+    (void)findStrategy(id);
     m_everChosen = true;
+    if (id == m_id) return setParameters(parameters);
+    m_parameters = parameters;
+    m_id = id;
     emit chosen();
     build();
 }
@@ -54,7 +64,9 @@ void StrategySlot::build() {
     m_refused = why.has_value();
     if (why) return refuse(*why);
     if (takeStructure()) return;
-    m_again = m_background.busy();
+    // While a parameter is dragged, what is built on the way shows how it works. Another strategy, and what takes longer than a
+    // drag, would only be waited for.
+    m_again = m_background.busy() && m_started == m_id && !m_since.hasExpired(kLong);
     if (!m_again) start();
 }
 
@@ -77,6 +89,8 @@ void StrategySlot::refuse(const Message& why) {
 }
 
 void StrategySlot::start() {
+    m_started = m_id;
+    m_since.start();
     const auto work = [this, id = m_id, parameters = m_parameters, scene = m_scene,
                        structures = m_structures](const std::stop_token& stop) -> Background::Delivery {
         Progress progress;

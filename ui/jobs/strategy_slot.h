@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <functional>
 #include <optional>
@@ -11,8 +12,10 @@
 namespace cullscope::ui {
 
 /// The strategy of one view: its id, its parameters, and the newest one that was built. Strategies are built in the background.
-/// A change of a parameter that is read when culling builds nothing. While a newer one is being built, the older one draws; of
-/// several quick changes only the last one is built. A refused strategy is not built, and the one built before is released.
+/// A change of a parameter that is read when culling builds nothing. While a newer one is being built, the older one draws. Where
+/// another strategy is chosen meanwhile, or parameters change after a second, what was being built is given up; of several quick
+/// changes of parameters the one being built and the last one are built. A refused strategy is not built, and the one built
+/// before is released.
 class StrategySlot : public QObject {
     Q_OBJECT
 
@@ -33,6 +36,8 @@ public:
 
     /// Chooses a strategy with default parameters. Throws what findStrategy throws, and then changes nothing.
     void choose(const std::string& id);
+    /// With these parameters of it, in one change; likewise.
+    void choose(const std::string& id, const ParameterSet& parameters);
     void setParameters(const ParameterSet& parameters);
     /// Whether a strategy was chosen since the slot was made.
     [[nodiscard]] bool everChosen() const { return m_everChosen; }
@@ -62,8 +67,10 @@ private:
     ScenePointer m_scene;
     BuiltStrategyPointer m_built;
     Background m_background;
+    std::string m_started;  ///< the strategy that was built last, or is being built
+    QElapsedTimer m_since;  ///< its beginning
     bool m_everChosen = false;
-    bool m_again = false;
+    bool m_again = false;  ///< once that is built, it is built with newer parameters
     bool m_refused = false;
     bool m_wanted = true;
     bool m_due = false;  ///< something was chosen that is to be built once it is wanted

@@ -65,8 +65,7 @@ void applyState(Session& session, const SessionState& state) {
     for (int view = 0; view < Session::kMostViews; ++view) {
         const std::string& strategy = state.views[size_t(view)].strategy;
         if (strategy.empty()) continue;
-        session.slot(view).choose(strategy);
-        session.slot(view).setParameters(parameters[size_t(view)]);
+        session.slot(view).choose(strategy, parameters[size_t(view)]);
     }
     applyHidden(session, state.hidden);
     // Set first: a change of the up axis moves all cameras.

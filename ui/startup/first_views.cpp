@@ -61,10 +61,7 @@ void showFirstViews(Session& session, const std::vector<StrategyRequest>& chosen
         new FirstObserver(session);
         return;
     }
-    for (size_t i = 0; i < chosen.size(); ++i) {
-        session.slot(int(i)).choose(chosen[i].id);
-        session.slot(int(i)).setParameters(chosen[i].parameters);
-    }
+    for (size_t i = 0; i < chosen.size(); ++i) session.slot(int(i)).choose(chosen[i].id, chosen[i].parameters);
     for (const int count : Session::kViewCounts)
         if (size_t(count) >= chosen.size()) return session.setViewCount(count);
 }

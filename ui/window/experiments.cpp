@@ -195,8 +195,7 @@ void Experiments::goToPose(int pose) {
 
 void Experiments::showStrategy(const StrategyRequest& strategy) {
     StrategySlot& slot = m_session.slot(m_session.culledBy(m_session.activeView()));
-    slot.choose(strategy.id);
-    slot.setParameters(strategy.parameters);
+    slot.choose(strategy.id, strategy.parameters);
 }
 
 void Experiments::showLive(StatisticsPanel& panel) const {
