@@ -10,7 +10,7 @@ namespace {
 
 /// A convex polygon during clipping: a triangle gets at most one more corner at each plane.
 struct Polygon {
-    std::array<Vec3, 9> corners;  // of which `count` are set: most triangles are never clipped
+    std::array<Vec3, 9> corners{};
     size_t count = 0;
 
     void add(const Vec3& corner) { corners[count++] = corner; }
@@ -29,8 +29,7 @@ Polygon clipped(const Polygon& polygon, const Plane& plane) {
 }
 
 bool touches(const Frustum& frustum, const std::array<Vec3, 3>& corners) {
-    Polygon polygon;
-    for (const Vec3& corner : corners) polygon.add(corner);
+    Polygon polygon{{corners[0], corners[1], corners[2]}, 3};
     for (const Plane& plane : frustum.planes) {
         size_t inside = 0;
         for (size_t i = 0; i < polygon.count; ++i) inside += plane.distance(polygon.corners[i]) >= 0.0 ? 1 : 0;
