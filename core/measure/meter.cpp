@@ -52,6 +52,14 @@ void addLimit(std::vector<Contestant>& strategies, const MeasureRequest& request
         {limit, buildStrategy(strategyOf(limit), limit.parameters, request.scene, structures, progress), request.baselinesToo});
 }
 
+/// `built`, of that scene.
+const BuiltStrategyPointer& builtFor(const ScenePointer& scene, BuiltStrategyPointer& built, const StrategyRequest& request,
+                                     StructureStore& structures) {
+    if (!built || built->scenePointer() != scene)
+        built = buildStrategy(strategyOf(request), request.parameters, scene, structures);
+    return built;
+}
+
 /// How many numbers are in one of two ascending lists and not in the other.
 uint64_t differentNumbers(const std::vector<uint32_t>& one, const std::vector<uint32_t>& other) {
     std::vector<uint32_t> different;
@@ -73,17 +81,17 @@ std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& stra
 }
 
 const BuiltStrategyPointer& ViewBaselines::under(Facing rule, const ScenePointer& scene, StructureStore& structures) {
-    BuiltStrategyPointer& built = m_built[size_t(rule)];
-    if (!built || built->scenePointer() != scene) {
-        const StrategyRequest baseline = baselineUnder(rule);
-        built = buildStrategy(strategyOf(baseline), baseline.parameters, scene, structures);
-    }
-    return built;
+    return builtFor(scene, m_built[size_t(rule)], baselineUnder(rule), structures);
+}
+
+const BuiltStrategyPointer& ViewBaselines::limit(const ScenePointer& scene, StructureStore& structures) {
+    return builtFor(scene, m_limit, limitAtDefaults(), structures);
 }
 
 void ViewBaselines::leaveOthers(const ScenePointer& scene) {
     for (BuiltStrategyPointer& built : m_built)
         if (built && built->scenePointer() != scene) built.reset();
+    if (m_limit && m_limit->scenePointer() != scene) m_limit.reset();
 }
 
 Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,

@@ -112,15 +112,19 @@ struct Contestant {
                                                       StructureStore& structures, std::optional<BaselineRole> role = {},
                                                       const Progress& progress = {});
 
-/// The baselines beside which single views of a scene are timed (baselineUnder), each built once for a scene.
+/// What single views of a scene are timed beside: the baselines (baselineUnder) and the limit of culling. Each is built once for
+/// a scene.
 class ViewBaselines {
 public:
     [[nodiscard]] const BuiltStrategyPointer& under(Facing rule, const ScenePointer& scene, StructureStore& structures);
+    /// limitOfCulling() at its defaults.
+    [[nodiscard]] const BuiltStrategyPointer& limit(const ScenePointer& scene, StructureStore& structures);
     /// Leaves what was built for another scene, so that it does not keep that scene alive.
     void leaveOthers(const ScenePointer& scene);
 
 private:
     std::array<BuiltStrategyPointer, kFacingRules> m_built;
+    BuiltStrategyPointer m_limit;
 };
 
 struct Contestants {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/measure/field_figures.h"
+#include "core/measure/statistics.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
@@ -70,6 +71,8 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
         };
         m_places[i].baseline = beside(subject.baseline);
         m_places[i].frontFaces = beside(subject.frontFaces);
+        m_places[i].limit = beside(subject.limit);
+        m_places[i].baselineOfLimit = beside(subject.baselineOfLimit);
     }
     m_rounds = std::make_unique<TimedRounds>(std::move(timed), protocol, backwards);
 }
@@ -132,6 +135,19 @@ void ViewRounds::addTimes(size_t subject, ViewFigures& figures) const {
     figures.speedupOverFrontFaces = over(m_places[subject].frontFaces);
     if (const BuiltStrategyPointer& baseline = m_subjects[subject].baseline)
         figures.baseline = strategyLabel({baseline->id(), baseline->parameters()});
+    figures.headroom = headroom(subject, own);
+}
+
+std::optional<ViewHeadroom> ViewRounds::headroom(size_t subject, const FrameMeasurement& own) const {
+    const Place& place = m_places[subject];
+    if (!place.baseline || !place.limit || !place.baselineOfLimit) return std::nullopt;
+    const FrameMeasurement baseline = measurementOf(timed(*place.baseline)), limit = measurementOf(timed(*place.limit)),
+                           baselineOfLimit = measurementOf(timed(*place.baselineOfLimit));
+    const TimesBesideLimit times{baseline.frameMilliseconds, own.frameMilliseconds, baselineOfLimit.frameMilliseconds,
+                                 limit.frameMilliseconds};
+    const BuiltStrategy& compared = *m_subjects[subject].baselineOfLimit;
+    return ViewHeadroom{ratioOver({&baselineOfLimit, 1}, {&limit, 1}), strategyLabel({compared.id(), compared.parameters()}),
+                        shareOfHeadroom({&times, 1})};
 }
 
 FrameMeasurement ViewRounds::measurement(size_t subject) const {

@@ -18,10 +18,19 @@ struct ViewSubject {
     /// The frame that the view shows already, decided with these memories, with its decisions recorded; null: none. It stands in
     /// the place of the warm-up.
     std::shared_ptr<const FrameLog> shown{};
-    BuiltStrategyPointer baseline{};    ///< is timed in the same turns, at the same view; null: none
-    BuiltStrategyPointer frontFaces{};  ///< likewise: the strong baseline, where `baseline` draws other sides; null: none
-    bool judged = true;                 ///< false: only its times are wanted
-    std::vector<View> others{};         ///< of its pictures behind the first one, which is judged; empty: the same view
+    BuiltStrategyPointer baseline{};         ///< is timed in the same turns, at the same view; null: none
+    BuiltStrategyPointer frontFaces{};       ///< likewise: the strong baseline, where `baseline` draws other sides; null: none
+    BuiltStrategyPointer limit{};            ///< likewise: the limit of culling (limitOfCulling); null: none
+    BuiltStrategyPointer baselineOfLimit{};  ///< likewise, with `limit`: the baseline that draws the same sides as it
+    bool judged = true;                      ///< false: only its times are wanted
+    std::vector<View> others{};              ///< of its pictures behind the first one, which is judged; empty: the same view
+};
+
+/// What any culling could gain at a view at most, and how much of that a strategy gains.
+struct ViewHeadroom {
+    RatioEstimate most;                  ///< speed of the limit of culling over the baseline that draws the same sides as it
+    std::string baseline;                ///< strategyLabel of that baseline
+    std::optional<RatioEstimate> share;  ///< shareOfHeadroom of this one view; none: the limit saves nothing
 };
 
 /// Speed and errors of a strategy at a view, as far as they are known. Counts and errors are of the first frame that was timed,
@@ -33,6 +42,7 @@ struct ViewFigures {
     std::optional<RatioEstimate> speedup;  ///< over the baseline with the same facing rule: ratioOfTotals of this one view
     std::optional<RatioEstimate> speedupOverFrontFaces;  ///< over ViewSubject::frontFaces
     std::string baseline;                                ///< strategyLabel of what `speedup` is over
+    std::optional<ViewHeadroom> headroom;                ///< with ViewSubject::limit
     std::vector<double> frameTimes;  ///< milliseconds by turn, those of all subjects of a measurement taken in the same turns
     bool timed = false;              ///< false: the errors are known, the speed is still being measured
     Submitted submitted;
@@ -58,11 +68,11 @@ struct ViewFigures {
     [[nodiscard]] double submittedShare() const { return submitted.share(sceneTriangles); }
 };
 
-/// Measures strategies at their views, together: all are timed in turns (TimedRounds), their baselines among them, and the first
-/// counted frame of each is judged against the truth. Of subjects that show a frame it is judged after the first turn that
-/// counts, so that their errors are known before their speed is; of the others after all turns. Subjects that show a frame share
-/// their turns where a frame of theirs is the same work; that of a strategy with a memory is its own. A frame or a comparison a
-/// step, so that it can be left in between.
+/// Measures strategies at their views, together: all are timed in turns (TimedRounds), their baselines and the limit of culling
+/// among them, and the first counted frame of each is judged against the truth. Of subjects that show a frame it is judged after
+/// the first turn that counts, so that their errors are known before their speed is; of the others after all turns. Subjects that
+/// show a frame share their turns where a frame of theirs is the same work; that of a strategy with a memory is its own. A frame
+/// or a comparison a step, so that it can be left in between.
 class ViewRounds {
 public:
     /// `backwards`: as of TimedRounds.
@@ -102,11 +112,12 @@ private:
     /// Numbers among the frames that are timed.
     struct Place {
         size_t own = 0;
-        std::optional<size_t> baseline{}, frontFaces{};
+        std::optional<size_t> baseline{}, frontFaces{}, limit{}, baselineOfLimit{};
     };
 
     /// The next subject that is to be judged, of those that show a frame or of those that do not; none: all are.
     [[nodiscard]] std::optional<size_t> toJudge(bool shown) const;
+    [[nodiscard]] std::optional<ViewHeadroom> headroom(size_t subject, const FrameMeasurement& own) const;
     void judgeNow(size_t subject, Renderer& renderer, References& references, const TimedRounds::TargetOf& targetOf);
     [[nodiscard]] const TimedFrames& timed(size_t place) const { return m_rounds->entrants()[place]; }
 

@@ -376,6 +376,16 @@
         <extracomment>The same with the 95 % interval.</extracomment>
         <translation>%1의 속도는 %3의 %2배입니다(%4).</translation>
     </message>
+    <message>
+        <source>Any culling could gain at most %1 against %2: the visible triangles alone</source>
+        <extracomment>What drawing exactly the visible triangles gains over a baseline, %2, and its 95 % interval: &quot;×3.1 (2.93 – 3.31)&quot;.</extracomment>
+        <translation>컬링이 얻을 수 있는 최대: %2 대비 %1, 보이는 삼각형만 그릴 때</translation>
+    </message>
+    <message>
+        <source>Of this headroom: %1</source>
+        <extracomment>The share of what any culling could gain that this strategy gains.</extracomment>
+        <translation>이 여유 중 비율: %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -9473,6 +9483,22 @@ OpenGL %2
     <message>
         <source>95 % interval of the speed, by bootstrap over the repeated frames of this measurement. Another start of the program can differ by more</source>
         <translation>속도의 95 % 구간. 이 측정에서 반복한 프레임의 부트스트랩으로 구합니다. 프로그램을 다시 시작하면 차이가 더 클 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Any culling, at most</source>
+        <translation>컬링의 최대 이득</translation>
+    </message>
+    <message>
+        <source>Of the headroom</source>
+        <translation>여유 중 비율</translation>
+    </message>
+    <message>
+        <source>Speed of drawing exactly the visible triangles, known beforehand, against drawing all with the same sides: what any culling could gain here at most</source>
+        <translation>보이는 삼각형만 미리 알고 정확히 그릴 때의 속도를 같은 면을 모두 그릴 때와 비교한 값입니다. 여기서 어떤 컬링이든 얻을 수 있는 최대입니다</translation>
+    </message>
+    <message>
+        <source>Share of the time saved that any culling could save, each against the baseline that draws the same sides. Below 0: slower than that baseline</source>
+        <translation>어떤 컬링이든 줄일 수 있는 시간 중 줄인 비율로, 각각 같은 면을 그리는 기준선과 비교합니다. 0보다 작으면 그 기준선보다 느립니다</translation>
     </message>
 </context>
 <context>

@@ -52,21 +52,20 @@ TEST(ResultTable, timesOfAViewAreTheSameFactorInHeaderTooltipAndTable) {
     EXPECT_EQ(speedWithInterval({3.14, {2.9, 3.3}}), QStringLiteral("×3.1 (2.90 – 3.30)"));
 }
 
-TEST(ResultTable, viewsHaveTheirShareOfTheHeadroomWhereOneOfThemShowsTheLimit) {
-    const auto live = [](const char* strategy, double milliseconds, double baseline) {
-        LiveFigures view{QStringLiteral("A"), test::request(strategy), Promise::Conservative, {}};
-        view.figures.state = ViewMetrics::State::Ready;
-        view.figures.frameMilliseconds = milliseconds;
-        view.figures.speedup = RatioEstimate{baseline / milliseconds, {}, false};
-        return view;
-    };
-    const std::vector<ResultRow> rows =
-        liveRows({live("all", 20.0, 20.0), live("frustum", 15.0, 20.0), live("oracle", 10.0, 20.0)});
-    for (const auto& [row, share] : {std::pair(0, 0.0), std::pair(1, 0.5), std::pair(2, 1.0)}) {
-        ASSERT_TRUE(rows[size_t(row)].headroomShare) << row;
-        EXPECT_NEAR(rows[size_t(row)].headroomShare->ratio, share, 1e-9) << row;
-    }
-    EXPECT_FALSE(liveRows({live("all", 20.0, 20.0), live("frustum", 15.0, 20.0)})[1].headroomShare);
+TEST(ResultTable, viewsHaveTheirShareOfTheHeadroomWhereCullingCanGainAnything) {
+    LiveFigures view{QStringLiteral("A"), test::request("frustum"), Promise::Conservative, {}};
+    view.figures.state = ViewMetrics::State::Ready;
+    view.figures.timed = true;
+    view.figures.frameMilliseconds = 15.0;
+    view.figures.headroom = ViewHeadroom{{2.0, {1.9, 2.1}}, "all", RatioEstimate{0.5, {}, false}};
+    EXPECT_EQ(ResultTableModel::value(liveRows({view})[0], ResultTableModel::Headroom), QStringLiteral("50 %"));
+    EXPECT_TRUE(metricsDetails(view.figures, {}).contains(QStringLiteral("at most ×2.0 (1.90 – 2.10) against all")));
+    EXPECT_TRUE(metricsDetails(view.figures, {}).contains(QStringLiteral("Of this headroom: 50 %")));
+    view.figures.headroom->share->ratio = -0.002;
+    EXPECT_TRUE(metricsDetails(view.figures, {}).contains(QStringLiteral("Of this headroom: 0 %"))) << "and no -0 %";
+    view.figures.headroom->share.reset();
+    EXPECT_FALSE(liveRows({view})[0].headroomShare);
+    EXPECT_FALSE(metricsDetails(view.figures, {}).contains(QStringLiteral("Of this headroom")));
 }
 
 TEST(ResultTable, limitStandsInTableAndPlotsBesideTheStrategies) {

@@ -183,7 +183,7 @@ TEST_F(ViewMeterTest, headersRatioIsTheTablesAndCullbenchsToTheDigitForTheSameRe
     experiment.strategies = {test::request("frustum"), test::request("frustum-octree")};
     experiment.path.poses.resize(1);
     experiment.timing.fixedRepetitions = 7;
-    experiment.baselinesToo = true;
+    experiment.baselinesToo = experiment.limitToo = true;
     const MeasureResult recorded = measuredOnPath();
     const auto json = nlohmann::json::parse(resultJson(recorded));
     // What a table does with the same frames.
@@ -206,6 +206,10 @@ TEST_F(ViewMeterTest, headersRatioIsTheTablesAndCullbenchsToTheDigitForTheSameRe
         EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_same_sides_ci95"], header.speedup->ci95) << id;
         EXPECT_EQ(resultRows(recorded)[run].speedup, header.speedup) << "the desktop's table";
         EXPECT_LT(header.speedup->ci95[0], header.speedup->ci95[1]) << "real times differ";
+        ASSERT_TRUE(header.headroom.has_value()) << "what any culling could gain here at most, and its share";
+        EXPECT_EQ(header.headroom->most, recorded.limit->summary.ratioToOwnRule) << id;
+        EXPECT_EQ(header.headroom->share, recorded.runs[run].summary.headroomShare) << id;
+        EXPECT_EQ(liveRows({{QStringLiteral("A"), {id, {}}, header.promise, header}})[0].headroomShare, header.headroom->share);
     }
 }
 

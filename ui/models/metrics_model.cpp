@@ -26,6 +26,10 @@ QString MetricsModel::title(int row) {
             return tr("Speed, same sides drawn");
         case Interval:
             return tr("– 95 % interval");
+        case Most:
+            return tr("Any culling, at most");
+        case Share:
+            return tr("Of the headroom");
         case Frame:
             return tr("Frame");
         case Fps:
@@ -61,6 +65,15 @@ QString MetricsModel::explanation(int row) {
             return tr(
                 "95 % interval of the speed, by bootstrap over the repeated frames of this measurement. Another start of the "
                 "program can differ by more");
+        case Most:
+            return tr(
+                "Speed of drawing exactly the visible triangles, known beforehand, against drawing all with the same sides: what "
+                "any "
+                "culling could gain here at most");
+        case Share:
+            return tr(
+                "Share of the time saved that any culling could save, each against the baseline that draws the same sides. Below "
+                "0: slower than that baseline");
         case Frame:
             return tr(
                 "Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted");
@@ -94,6 +107,8 @@ QString MetricsModel::explanation(const ViewMetrics& figures, int row) {
     const bool ready = figures.state == ViewMetrics::State::Ready;
     if (row == Submitted && ready && figures.submitted.fragments > 0)
         return fragmentsSentence(figures.submitted) + QLatin1Char('\n') + explanation(row);
+    if (row == Most && ready && figures.headroom)
+        return headroomSentence(*figures.headroom) + QLatin1Char('\n') + explanation(row);
     if (row != Speedup || !ready || !figures.speedup) return explanation(row);
     return speedSentence(figures) + QLatin1Char('\n') + explanation(row);
 }
@@ -102,12 +117,17 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
     if (figures.state == ViewMetrics::State::Stale) return QStringLiteral("…");
     if (figures.state != ViewMetrics::State::Ready) return QStringLiteral("–");
     const Accuracy& accuracy = figures.accuracy;
+    const QString pending = figures.timed ? QStringLiteral("–") : QStringLiteral("…");
     switch (row) {
         case Speedup:
-            return figures.speedup ? speedText(*figures.speedup) : figures.timed ? QStringLiteral("–") : QStringLiteral("…");
+            return figures.speedup ? speedText(*figures.speedup) : pending;
         case Interval:
-            if (!figures.speedup) return figures.timed ? QStringLiteral("–") : QStringLiteral("…");
+            if (!figures.speedup) return pending;
             return figures.speedup->hasInterval ? intervalText(*figures.speedup) : QStringLiteral("–");
+        case Most:
+            return figures.headroom ? speedText(figures.headroom->most) : pending;
+        case Share:
+            return figures.headroom && figures.headroom->share ? headroomText(*figures.headroom->share) : pending;
         case Frame:
             return figures.timed ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…");
         case Fps:

@@ -31,7 +31,23 @@ public:
     void retranslate();
 
 private:
-    enum Row { Speedup, Interval, Frame, Fps, Cull, Submitted, Visible, InVain, Missed, Snapped, Hole, Covered, RowCount };
+    enum Row {
+        Speedup,
+        Interval,
+        Most,
+        Share,
+        Frame,
+        Fps,
+        Cull,
+        Submitted,
+        Visible,
+        InVain,
+        Missed,
+        Snapped,
+        Hole,
+        Covered,
+        RowCount
+    };
 
     [[nodiscard]] static QString title(int row);
     [[nodiscard]] static QString explanation(int row);

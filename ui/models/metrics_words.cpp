@@ -55,6 +55,17 @@ QString speedSentence(const ViewFigures& figures) {
     return lines.join(QLatin1Char('\n'));
 }
 
+QString headroomSentence(const ViewHeadroom& headroom) {
+    //: What drawing exactly the visible triangles gains over a baseline, %2, and its 95 % interval: "×3.1 (2.93 – 3.31)".
+    const QString most =
+        QCoreApplication::translate("Wording", "Any culling could gain at most %1 against %2: the visible triangles alone")
+            .arg(speedWithInterval(headroom.most), QString::fromStdString(headroom.baseline));
+    if (!headroom.share) return most;
+    //: The share of what any culling could gain that this strategy gains.
+    return most + QLatin1Char('\n') +
+           QCoreApplication::translate("Wording", "Of this headroom: %1").arg(headroomText(*headroom.share));
+}
+
 namespace {
 
 /// Whether the times of both were taken in the same turns, of different strategies at the same view.
@@ -119,6 +130,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
     if (figures.state == ViewMetrics::State::Ready) {
         const double fps = figures.frameMilliseconds > 0.0 ? 1000.0 / figures.frameMilliseconds : 0.0;
         if (figures.speedup) lines << speedSentence(figures);
+        if (figures.headroom) lines << headroomSentence(*figures.headroom);
         if (figures.timed)
             lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
                          .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds),

@@ -25,6 +25,9 @@ namespace cullscope::ui {
 /// The speed of a view with its interval.
 [[nodiscard]] QString speedSentence(const ViewFigures& figures);
 
+/// What any culling could gain at most, and which share of that the strategy gains.
+[[nodiscard]] QString headroomSentence(const ViewHeadroom& headroom);
+
 /// A view's name and its metrics.
 struct NamedMetrics {
     QString name;

@@ -77,6 +77,8 @@ struct ViewMeter::Job {
         next.baseline = bench.baselines.under(rule, what.buffers->scenePointer(), *bench.structures);
         if (rule != Facing::Front)
             next.frontFaces = bench.baselines.under(Facing::Front, what.buffers->scenePointer(), *bench.structures);
+        next.limit = bench.baselines.limit(what.buffers->scenePointer(), *bench.structures);
+        next.baselineOfLimit = bench.baselines.under(next.limit->facing(), what.buffers->scenePointer(), *bench.structures);
         next.judged = !subject.known;
         shown.push_back(std::move(next));
         figures.push_back(subject.known ? *subject.known : ViewMetrics());

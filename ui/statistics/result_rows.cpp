@@ -1,13 +1,10 @@
 #include "ui/statistics/result_rows.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include "core/experiments/sweeps.h"
 #include "core/measure/field_figures.h"
-#include "core/measure/statistics.h"
-#include "core/visibility/registry.h"
 #include "ui/text/terms.h"
 #include "ui/text/wording.h"
 
@@ -107,24 +104,6 @@ std::map<std::string, RatioEstimate> figuresOf(const ViewFigures& view) {
     return figures;
 }
 
-bool isTimed(const LiveFigures& view) {
-    return view.figures.state == ViewMetrics::State::Ready && view.figures.frameMilliseconds > 0.0 &&
-           view.figures.speedup.has_value();
-}
-
-/// Where one of the views shows the limit of culling, how much of what it saves each other one saves.
-void addHeadroom(std::vector<ResultRow>& rows, const std::vector<LiveFigures>& views) {
-    const auto limit = std::ranges::find_if(
-        views, [](const LiveFigures& view) { return isTimed(view) && findStrategy(view.strategy.id).info.limit; });
-    if (limit == views.end()) return;
-    const auto baselineOf = [](const ViewMetrics& figures) { return figures.frameMilliseconds * figures.speedup->ratio; };
-    for (size_t i = 0; i < rows.size(); ++i)
-        if (isTimed(views[i]))
-            rows[i].headroomShare =
-                shareOfHeadroom(std::array{TimesBesideLimit{baselineOf(views[i].figures), views[i].figures.frameMilliseconds,
-                                                            baselineOf(limit->figures), limit->figures.frameMilliseconds}});
-}
-
 }  // namespace
 
 std::vector<ResultRow> resultRows(const ResultTable& table) {
@@ -157,6 +136,7 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         if (figures.state == ViewMetrics::State::Ready && figures.frameMilliseconds > 0.0) {
             row.speedup = figures.speedup;
             row.baseline = figures.baseline;
+            if (figures.headroom) row.headroomShare = figures.headroom->share;
             row.speedupOverFrontFaces = figures.speedupOverFrontFaces;
             row.fpsOverall = 1000.0 / figures.frameMilliseconds;
             row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;
@@ -167,7 +147,6 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
         }
         rows.push_back(std::move(row));
     }
-    addHeadroom(rows, views);
     return rows;
 }
 

@@ -39,13 +39,6 @@ QString speed(const std::optional<RatioEstimate>& estimate) {
         .arg(ratioWithTwoDigits(estimate->ratio), ratioWithTwoDigits(estimate->ci95[0]), ratioWithTwoDigits(estimate->ci95[1]));
 }
 
-QString shareText(const std::optional<RatioEstimate>& share) {
-    if (!share) return {};
-    const auto whole = [](double value) { return QLocale().toString(100.0 * value, 'f', 0); };
-    if (!share->hasInterval) return QStringLiteral("%1 %").arg(whole(share->ratio));
-    return QStringLiteral("%1 % [%2, %3]").arg(whole(share->ratio), whole(share->ci95[0]), whole(share->ci95[1]));
-}
-
 /// "0.31 [0.2, 0.4]", in the figure's unit.
 QString figureText(const ResultRow& row, const TradeFigure& figure) {
     const auto found = row.figures.find(figure.key);
@@ -194,7 +187,7 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
         case Speedup:
             return speed(row.speedup);
         case Headroom:
-            return shareText(row.headroomShare);
+            return row.headroomShare ? headroomText(*row.headroomShare) : QString();
         case SpeedupOverTriangles:
             return speed(row.speedupOverTriangles);
         case Fps:

@@ -79,6 +79,13 @@ QString percentText(double share) {
     return QLocale().toString(std::min(percent, 99.0), 'f', 0);
 }
 
+QString headroomText(const RatioEstimate& share) {
+    // What rounds to 0 from below has no sign.
+    const auto whole = [](double value) { return QLocale().toString(std::round(100.0 * value) + 0.0, 'f', 0); };
+    if (!share.hasInterval) return QStringLiteral("%1 %").arg(whole(share.ratio));
+    return QStringLiteral("%1 % [%2, %3]").arg(whole(share.ratio), whole(share.ci95[0]), whole(share.ci95[1]));
+}
+
 QString countText(uint64_t count) { return QLocale().toString(qulonglong(count)); }
 
 QString millisecondsText(double milliseconds) {

@@ -32,6 +32,8 @@ namespace cullscope::ui {
 [[nodiscard]] QString intervalText(const RatioEstimate& speed);
 /// A fraction in per cent: "15", below 10 with one digit: "1.5". Never "0" for a fraction above 0, never "100" for one below 1.
 [[nodiscard]] QString percentText(double share);
+/// The share of the headroom, which may be below 0 and above 1: "43 %", with its 95 % interval "43 % [38, 49]".
+[[nodiscard]] QString headroomText(const RatioEstimate& share);
 [[nodiscard]] QString countText(uint64_t count);
 [[nodiscard]] QString millisecondsText(double milliseconds);
 /// A size in pixels: "640 × 480".
