@@ -35,6 +35,48 @@ Times resampled(const ViewTimes& view, Random& random, ViewTimes& drawn) {
     return mediansOf(drawn);
 }
 
+/// The times of a view, or the totals over views.
+struct HeadroomTimes {
+    double baseline = 0.0, subject = 0.0, baselineOfLimit = 0.0, limit = 0.0;
+
+    void add(const HeadroomTimes& other) {
+        baseline += other.baseline;
+        subject += other.subject;
+        baselineOfLimit += other.baselineOfLimit;
+        limit += other.limit;
+    }
+    /// None: the limit saves nothing.
+    [[nodiscard]] std::optional<double> share() const {
+        if (!(limit < baselineOfLimit) || !(baseline > 0.0)) return std::nullopt;
+        return (1.0 - subject / baseline) / (1.0 - limit / baselineOfLimit);
+    }
+};
+
+/// The turns in which all four were timed.
+size_t turnsOf(const TimesBesideLimit& view) {
+    return std::min({view.baseline.size(), view.subject.size(), view.baselineOfLimit.size(), view.limit.size()});
+}
+
+HeadroomTimes mediansOf(const TimesBesideLimit& view) {
+    return {quantile(view.baseline, 0.5), quantile(view.subject, 0.5), quantile(view.baselineOfLimit, 0.5),
+            quantile(view.limit, 0.5)};
+}
+
+/// The view's medians over turns that are drawn with replacement.
+HeadroomTimes resampled(const TimesBesideLimit& view, Random& random, TimesBesideLimit& drawn) {
+    const size_t turns = turnsOf(view);
+    for (std::vector<double>* times : {&drawn.baseline, &drawn.subject, &drawn.baselineOfLimit, &drawn.limit})
+        times->resize(turns);
+    for (size_t i = 0; i < turns; ++i) {
+        const size_t from = random.bits() % turns;
+        drawn.baseline[i] = view.baseline[from];
+        drawn.subject[i] = view.subject[from];
+        drawn.baselineOfLimit[i] = view.baselineOfLimit[from];
+        drawn.limit[i] = view.limit[from];
+    }
+    return mediansOf(drawn);
+}
+
 }  // namespace
 
 RatioEstimate ratioOfTotals(std::span<const ViewTimes> views) {
@@ -87,31 +129,29 @@ RatioEstimate meanOfRatios(const std::vector<double>& ratios) {
 
 std::optional<RatioEstimate> shareOfHeadroom(std::span<const TimesBesideLimit> views) {
     if (views.empty()) return std::nullopt;
-    const auto add = [](TimesBesideLimit& sum, const TimesBesideLimit& one) {
-        sum.baseline += one.baseline;
-        sum.subject += one.subject;
-        sum.baselineOfLimit += one.baselineOfLimit;
-        sum.limit += one.limit;
-    };
-    // None: the limit saves nothing.
-    const auto shareOf = [](const TimesBesideLimit& sum) -> std::optional<double> {
-        if (!(sum.limit < sum.baselineOfLimit) || !(sum.baseline > 0.0)) return std::nullopt;
-        return (1.0 - sum.subject / sum.baseline) / (1.0 - sum.limit / sum.baselineOfLimit);
-    };
-    TimesBesideLimit total;
-    for (const TimesBesideLimit& view : views) add(total, view);
-    const std::optional<double> share = shareOf(total);
-    if (!share) return std::nullopt;
+    const size_t each = std::max(kLeastResamplesOfAView, kResamples / views.size());
     Random random(1);
+    HeadroomTimes total;
+    std::vector<HeadroomTimes> ofViews;
+    ofViews.reserve(views.size() * each);
+    TimesBesideLimit drawn;
+    for (const TimesBesideLimit& view : views) {
+        total.add(mediansOf(view));
+        for (size_t i = 0; i < each; ++i) ofViews.push_back(resampled(view, random, drawn));
+    }
+    const std::optional<double> share = total.share();
+    if (!share) return std::nullopt;
     std::vector<double> shares;
     for (size_t i = 0; i < kResamples; ++i) {
-        TimesBesideLimit sum;
-        for (size_t k = 0; k < views.size(); ++k) add(sum, views[random.bits() % views.size()]);
-        if (const std::optional<double> one = shareOf(sum)) shares.push_back(*one);
+        HeadroomTimes sum;
+        for (size_t k = 0; k < views.size(); ++k) sum.add(ofViews[random.bits() % ofViews.size()]);
+        if (const std::optional<double> one = sum.share()) shares.push_back(*one);
     }
     constexpr double kAgreeing = 0.975;
     if (double(shares.size()) < kAgreeing * double(kResamples)) return std::nullopt;
-    return RatioEstimate{*share, middle95(shares), views.size() > 1};
+    const bool once = std::ranges::all_of(views, [](const TimesBesideLimit& view) { return turnsOf(view) <= 1; });
+    const auto [low, high] = middle95(shares);
+    return RatioEstimate{*share, {std::min(low, *share), std::max(high, *share)}, views.size() > 1 || !once};
 }
 
 std::array<double, 2> middle95(const std::vector<double>& values) { return {quantile(values, 0.025), quantile(values, 0.975)}; }

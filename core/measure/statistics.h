@@ -31,15 +31,16 @@ struct ViewTimes {
 /// bootstrap over the views (percentile method, 2000 resamples, fixed seed); a single view has none.
 [[nodiscard]] RatioEstimate meanOfRatios(const std::vector<double>& ratios);
 
-/// The times of one view, each a median of its repetitions: of something and of the limit, and of what each is compared with.
+/// The frame times of one view in milliseconds: of something and of the limit, and of what each is compared with. Those at one
+/// place were taken in the same turn.
 struct TimesBesideLimit {
-    double baseline = 0.0, subject = 0.0, baselineOfLimit = 0.0, limit = 0.0;
+    std::vector<double> baseline, subject, baselineOfLimit, limit;
 };
 
-/// Which share of the time that could be saved is saved, over all views: (1 − subject ÷ baseline) ÷ (1 − limit ÷ its baseline).
-/// 1: as much as the limit; below 0: slower than the baseline. The interval is a bootstrap over the views (percentile method,
-/// 2000 resamples, fixed seed); a single view has none. None where so little can be saved that resamples of the views do not
-/// agree that there is something.
+/// Which share of the time that could be saved is saved, over all views: (1 − subject ÷ baseline) ÷ (1 − limit ÷ its baseline), a
+/// view's times being the medians of its repetitions. 1: as much as the limit; below 0: slower than the baseline. The interval is
+/// a bootstrap over the views and, within each, over the turns (percentile method, 2000 resamples, fixed seed); a single view
+/// with one turn has none. None where so little can be saved that 97.5 % of the resamples do not agree that there is something.
 [[nodiscard]] std::optional<RatioEstimate> shareOfHeadroom(std::span<const TimesBesideLimit> views);
 
 /// How many resamples a bootstrap takes.

@@ -42,8 +42,8 @@ std::optional<RatioEstimate> headroomShareOf(const RunMeasurement& run, const st
     std::vector<TimesBesideLimit> views;
     const size_t poses = std::min({run.frames.size(), limit->frames.size(), baseline->frames.size(), ofLimit->frames.size()});
     for (size_t i = 0; i < poses; ++i)
-        views.push_back({baseline->frames[i].frameMilliseconds, run.frames[i].frameMilliseconds,
-                         ofLimit->frames[i].frameMilliseconds, limit->frames[i].frameMilliseconds});
+        views.push_back({baseline->frames[i].frameTimes, run.frames[i].frameTimes, ofLimit->frames[i].frameTimes,
+                         limit->frames[i].frameTimes});
     return shareOfHeadroom(views);
 }
 

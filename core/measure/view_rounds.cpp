@@ -143,8 +143,7 @@ std::optional<ViewHeadroom> ViewRounds::headroom(size_t subject, const FrameMeas
     if (!place.baseline || !place.limit || !place.baselineOfLimit) return std::nullopt;
     const FrameMeasurement baseline = measurementOf(timed(*place.baseline)), limit = measurementOf(timed(*place.limit)),
                            baselineOfLimit = measurementOf(timed(*place.baselineOfLimit));
-    const TimesBesideLimit times{baseline.frameMilliseconds, own.frameMilliseconds, baselineOfLimit.frameMilliseconds,
-                                 limit.frameMilliseconds};
+    const TimesBesideLimit times{baseline.frameTimes, own.frameTimes, baselineOfLimit.frameTimes, limit.frameTimes};
     const BuiltStrategy& compared = *m_subjects[subject].baselineOfLimit;
     return ViewHeadroom{ratioOver({&baselineOfLimit, 1}, {&limit, 1}), strategyLabel({compared.id(), compared.parameters()}),
                         shareOfHeadroom({&times, 1})};

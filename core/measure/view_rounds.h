@@ -30,7 +30,7 @@ struct ViewSubject {
 struct ViewHeadroom {
     RatioEstimate most;                  ///< speed of the limit of culling over the baseline that draws the same sides as it
     std::string baseline;                ///< strategyLabel of that baseline
-    std::optional<RatioEstimate> share;  ///< shareOfHeadroom of this one view; none: the limit saves nothing
+    std::optional<RatioEstimate> share;  ///< shareOfHeadroom of this one view; none: it is not certain that time can be saved
 };
 
 /// Speed and errors of a strategy at a view, as far as they are known. Counts and errors are of the first frame that was timed,

@@ -107,7 +107,7 @@ QString MetricsModel::explanation(const ViewMetrics& figures, int row) {
     const bool ready = figures.state == ViewMetrics::State::Ready;
     if (row == Submitted && ready && figures.submitted.fragments > 0)
         return fragmentsSentence(figures.submitted) + QLatin1Char('\n') + explanation(row);
-    if (row == Most && ready && figures.headroom)
+    if ((row == Most || row == Share) && ready && figures.headroom)
         return headroomSentence(*figures.headroom) + QLatin1Char('\n') + explanation(row);
     if (row != Speedup || !ready || !figures.speedup) return explanation(row);
     return speedSentence(figures) + QLatin1Char('\n') + explanation(row);
@@ -127,7 +127,8 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
         case Most:
             return figures.headroom ? speedText(figures.headroom->most) : pending;
         case Share:
-            return figures.headroom && figures.headroom->share ? headroomText(*figures.headroom->share) : pending;
+            return figures.headroom && figures.headroom->share ? headroomText({figures.headroom->share->ratio, {}, false})
+                                                               : pending;
         case Frame:
             return figures.timed ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…");
         case Fps:

@@ -85,8 +85,9 @@ std::optional<RatioEstimate> headroomOf(const Entrant& choice, const std::vector
     for (const Entrant& limit : entrants)
         for (size_t pose = 0; limit.figures.limit && pose < all.times.size(); ++pose)
             if (!all.times[pose].empty() && !choice.times[pose].empty() && !limit.times[pose].empty()) {
+                // The limit is drawn in one turn.
                 const double everything = quantile(all.times[pose], 0.5);
-                views.push_back({everything, quantile(choice.times[pose], 0.5), everything, limit.times[pose].front()});
+                views.push_back({{everything}, {quantile(choice.times[pose], 0.5)}, {everything}, {limit.times[pose].front()}});
             }
     return shareOfHeadroom(views);
 }

@@ -186,9 +186,9 @@ TEST(RatioOfTotals, intervalHoldsTheKnownRatioInNineOfTenExperiments) {
 
 TEST(HeadroomShare, isOneForTheLimitZeroForTheBaselineAndBelowForWhatIsSlower) {
     std::vector<TimesBesideLimit> views;
-    for (int i = 0; i < 8; ++i) views.push_back({10.0 + i, 0.0, 10.0 + i, 0.2 * (10.0 + i)});
+    for (int i = 0; i < 8; ++i) views.push_back({{10.0 + i}, {0.0}, {10.0 + i}, {0.2 * (10.0 + i)}});
     const auto with = [&](double share) {
-        for (TimesBesideLimit& view : views) view.subject = view.baseline - share * (view.baseline - view.limit);
+        for (TimesBesideLimit& view : views) view.subject = {view.baseline[0] - share * (view.baseline[0] - view.limit[0])};
         return shareOfHeadroom(views);
     };
     for (const double share : {1.0, 0.5, 0.0, -0.25}) {
@@ -202,7 +202,7 @@ TEST(HeadroomShare, isOneForTheLimitZeroForTheBaselineAndBelowForWhatIsSlower) {
 
 TEST(HeadroomShare, holdsEachAgainstItsOwnBaseline) {
     // Saves half of its baseline's time, where the limit saves three quarters of its own.
-    const std::vector<TimesBesideLimit> views{{8.0, 4.0, 20.0, 5.0}, {2.0, 1.0, 4.0, 1.0}};
+    const std::vector<TimesBesideLimit> views{{{8.0}, {4.0}, {20.0}, {5.0}}, {{2.0}, {1.0}, {4.0}, {1.0}}};
     const std::optional<RatioEstimate> share = shareOfHeadroom(views);
     ASSERT_TRUE(share);
     EXPECT_NEAR(share->ratio, 0.5 / 0.75, 1e-12);
@@ -212,10 +212,26 @@ TEST(HeadroomShare, holdsEachAgainstItsOwnBaseline) {
 
 TEST(HeadroomShare, isNotStatedWhereNothingCanBeSavedForCertain) {
     EXPECT_FALSE(shareOfHeadroom({}));
-    const std::vector<TimesBesideLimit> none{{8.0, 8.0, 8.0, 8.0}, {8.0, 8.0, 8.0, 9.0}};
+    const std::vector<TimesBesideLimit> none{{{8.0}, {8.0}, {8.0}, {8.0}}, {{8.0}, {8.0}, {8.0}, {9.0}}};
     EXPECT_FALSE(shareOfHeadroom(none));
     // The totals say that a thousandth can be saved; half of the resamples say that nothing can.
-    const std::vector<TimesBesideLimit> unsure{{10.0, 10.0, 10.0, 11.98}, {10.0, 10.0, 10.0, 8.0}};
+    const std::vector<TimesBesideLimit> unsure{{{10.0}, {10.0}, {10.0}, {11.98}}, {{10.0}, {10.0}, {10.0}, {8.0}}};
+    EXPECT_FALSE(shareOfHeadroom(unsure));
+}
+
+TEST(HeadroomShare, ofOneViewHasTheScatterOfItsTurns) {
+    const std::vector<double> all{10.0, 10.2, 9.9, 10.1, 10.0}, half{7.4, 7.6, 7.5, 7.7, 7.5}, limit{5.0, 5.1, 4.9, 5.0, 5.2};
+    const std::vector<TimesBesideLimit> certain{{all, half, all, limit}};
+    const std::optional<RatioEstimate> share = shareOfHeadroom(certain);
+    ASSERT_TRUE(share);
+    EXPECT_NEAR(share->ratio, 0.5, 1e-9);
+    EXPECT_TRUE(share->hasInterval);
+    EXPECT_LT(share->ci95[0], share->ratio);
+    EXPECT_GT(share->ci95[1], share->ratio);
+    EXPECT_GT(share->ci95[0], 0.4);
+    EXPECT_LT(share->ci95[1], 0.6);
+    // The median saves something, two of five turns do not.
+    const std::vector<TimesBesideLimit> unsure{{all, half, all, {9.5, 9.6, 10.4, 10.9, 9.7}}};
     EXPECT_FALSE(shareOfHeadroom(unsure));
 }
 
