@@ -67,9 +67,8 @@ QString MetricsModel::explanation(int row) {
                 "program can differ by more");
         case Most:
             return tr(
-                "Speed of drawing exactly the visible triangles, known beforehand, against drawing all with the same sides: what "
-                "any "
-                "culling could gain here at most");
+                "Speed of drawing exactly the visible triangles, known beforehand, against drawing all with the same sides: "
+                "what any culling could gain here at most");
         case Share:
             return tr(
                 "Share of the time saved that any culling could save, each against the baseline that draws the same sides. Below "
