@@ -79,19 +79,24 @@ std::vector<StudyLine> linesOf(const std::string& file) {
     return lines;
 }
 
+/// A command without the store that it writes to, which a line of a study has last: what was merged was written to another one.
+std::string withoutStore(const std::string& command) { return command.substr(0, command.rfind(" --store ")); }
+
 /// What the line measured is in the store as a whole. Certificates have state files of their own.
 bool isDone(const store::ResultStore& opened, const std::string& command) {
     const std::vector<store::Listed> all = opened.list();
     const std::vector<store::StoredReport> reports = opened.reports();
+    const auto same = [&](const std::string& other) { return withoutStore(other) == withoutStore(command); };
     return std::ranges::any_of(
-               all, [&](const store::Listed& one) { return one.origin.command == command && one.ended && !one.interrupted; }) ||
-           std::ranges::any_of(reports, [&](const store::StoredReport& one) { return one.report.command == command; });
+               all, [&](const store::Listed& one) { return same(one.origin.command) && one.ended && !one.interrupted; }) ||
+           std::ranges::any_of(reports, [&](const store::StoredReport& one) { return same(one.report.command); });
 }
 
 /// Measurements that a killed run of the line left unfinished: they would stand beside those that replace them.
 void removeUnfinished(const store::ResultStore& opened, const std::string& command) {
     for (const store::Listed& one : opened.list())
-        if (one.origin.command == command && (!one.ended || one.interrupted)) opened.remove(one.number);
+        if (withoutStore(one.origin.command) == withoutStore(command) && (!one.ended || one.interrupted))
+            opened.remove(one.number);
 }
 
 /// Runs the program with these words and returns its exit status; a signal's is 128 and its number, as a shell has it. A stop

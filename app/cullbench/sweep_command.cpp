@@ -89,7 +89,8 @@ Experiment experimentOf(const SweepOptions& options) {
 void write(const SweepOptions& options, const std::vector<ResultTable>& tables, const TradePlot& trade) {
     std::vector<ResultTable> drawn = tables;
     LinePlot plot = trade.plot({});
-    plot.title = tables.front().title;
+    const bool usual = trade.across().key == kUsualAcross && trade.up().key == kUsualUp;
+    plot.title = usual ? tables.front().title : fmt::format("{} by {}", trade.up().title, trade.across().title);
     drawn.front().plots = {std::move(plot)};
     std::optional<Error> failure;
     try {

@@ -66,6 +66,7 @@ void addWorstCommand(CLI::App& app, Context& context) {
     auto options = std::make_shared<WorstOptions>();
     addSceneOptions(*command, options->scene);
     addStrategyOptions(*command, options->strategies, options->parameters);
+    command->get_option("--strategy")->description("the strategy: A or A:key=value,key=value");
     command->add_option("--of", options->of, "missed: the largest share of missed pixels; ratio: the smallest gain of speed")
         ->check(CLI::IsMember({"missed", "ratio"}))
         ->capture_default_str();

@@ -6,38 +6,11 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/error.h"
 #include "core/measure/field_figures.h"
-#include "core/visibility/strategy_request.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope {
 namespace {
-
-std::vector<TradeFigure> allFigures() {
-    std::vector<TradeFigure> figures{
-        {kUsualAcross, CULLSCOPE_TR("Speed against a baseline that draws the same sides"), 1.0, 2, false, false, false, true},
-        {"ratio_to_all", CULLSCOPE_TR("Speed against drawing everything"), 1.0, 2, false, false, false, true},
-        {"ratio_to_backface", CULLSCOPE_TR("Speed against drawing all front faces"), 1.0, 2, false, false, false, true},
-        {"fps_overall", CULLSCOPE_TR("fps, all views"), 1.0, 1},
-        {"fps_min", CULLSCOPE_TR("fps in the slowest view"), 1.0, 1},
-        {"headroom_share", CULLSCOPE_TR("Share of the headroom, %"), 100.0, 0},
-        {"culled_fraction", CULLSCOPE_TR("Culled triangles, %"), 100.0, 1},
-        {"cull_share", CULLSCOPE_TR("Culling, % of the frame"), 100.0, 2, true},
-        {"build_ms", CULLSCOPE_TR("Build time, ms"), 1.0, 1, true, true},
-        {"structure_bytes", CULLSCOPE_TR("Structure, bytes"), 1.0, 0, true, true},
-        {kUsualUp, CULLSCOPE_TR("Missed per million"), 1e6, 2, true, true, true},
-        {"largest_hole_px", CULLSCOPE_TR("Largest hole, pixels"), 1.0, 0, true, true, true}};
-    figures[0].brief = CULLSCOPE_TR("Speed, same sides");
-    figures[1].brief = CULLSCOPE_TR("Speed, everything");
-    figures[2].brief = CULLSCOPE_TR("Speed, front faces");
-    for (const FieldFigure& field : fieldFigures()) {
-        if (std::ranges::find(figures, field.key, &TradeFigure::key) != figures.end()) continue;
-        const std::string_view key = field.key;
-        const bool waste = key.find("false_positive") != std::string_view::npos;
-        figures.push_back({field.key, field.title, field.scale, field.decimals + 1, true, !waste, !waste, false, field.meaning});
-    }
-    return figures;
-}
 
 PlotShape shapeOf(Promise promise) {
     if (promise == Promise::Exact) return PlotShape::Disc;
@@ -60,97 +33,14 @@ PlotColour seriesOf(const TradeLook& look, size_t number) {
 
 PlotColour paler(PlotColour colour) { return (colour & 0x00FFFFFF) | 0x80000000; }
 
-Promise promiseFromId(const std::string& id) {
-    for (const Promise promise : {Promise::Exact, Promise::Conservative})
-        if (id == promiseId(promise)) return promise;
-    return Promise::Approximate;
-}
-
-std::string wordsIn(const ResultTable& table, size_t row, const std::string& key) {
-    const CellValue value = table.value(row, key);
-    return std::holds_alternative<std::string>(value) ? std::get<std::string>(value) : std::string();
+/// What a loss of 0 says of one point.
+std::string zeroText(const TradePoint& point, const TradeLook& look) {
+    return wordsOf(look, point.judged ? noLossIn(point.views) : Message{CULLSCOPE_TR("0 as promised, not judged"), {}});
 }
 
 bool better(const TradeFigure& figure, double one, double other) { return figure.least ? one < other : one > other; }
 
 }  // namespace
-
-const std::vector<TradeFigure>& tradeFigures() {
-    static const std::vector<TradeFigure> kFigures = allFigures();
-    return kFigures;
-}
-
-const TradeFigure& tradeFigure(std::string_view key) {
-    const auto found = std::ranges::find(tradeFigures(), key, &TradeFigure::key);
-    if (found != tradeFigures().end()) return *found;
-    std::string known;
-    for (const TradeFigure& figure : tradeFigures()) known += (known.empty() ? "" : ", ") + figure.key;
-    throwUsage(CULLSCOPE_TR("There is no figure \"%1\"; there are %2."), {std::string(key), known});
-}
-
-const RatioEstimate* TradePoint::value(const TradeFigure& figure) const {
-    const auto found = values.find(figure.key);
-    return found == values.end() ? nullptr : &found->second;
-}
-
-bool TradePoint::lossless() const {
-    const RatioEstimate* const lost = value(tradeFigure(kUsualUp));
-    return lost != nullptr && lost->ratio == 0.0;
-}
-
-std::map<std::string, RatioEstimate> tradeValues(const Row& cells) {
-    std::map<std::string, RatioEstimate> values;
-    for (const TradeFigure& figure : tradeFigures()) {
-        const auto cell = cells.find(figure.key);
-        if (cell == cells.end()) continue;
-        if (const auto* estimate = std::get_if<RatioEstimate>(&cell->second))
-            values[figure.key] = *estimate;
-        else if (const std::optional<double> number = numberOf(cell->second))
-            values[figure.key] = {*number, {*number, *number}, false};
-    }
-    return values;
-}
-
-std::vector<TradePoint> tradePoints(const ResultTable& table) {
-    std::vector<TradePoint> points;
-    for (size_t row = 0; row < table.rows.size(); ++row) {
-        Row cells;
-        for (size_t i = 0; i < table.columns.size(); ++i) cells[table.columns[i].key] = table.rows[row][i];
-        TradePoint point;
-        const std::string strategy = wordsIn(table, row, "strategy"), key = wordsIn(table, row, "parameter");
-        StrategyRequest request = strategyFromText(strategy);
-        point.role = findStrategy(request.id).info.baseline;
-        if (key.empty()) {
-            point.name = point.label = strategyLabel(request);
-        } else {
-            point.sweep = strategy + ", " + key;
-            point.label = wordsIn(table, row, "value");
-            request.parameters.setFromText(key, point.label);
-            point.name = strategyLabel(request);
-        }
-        point.promise = promiseFromId(wordsIn(table, row, "promise"));
-        point.views = size_t(numberOf(table.value(row, "poses")).value_or(0.0));
-        point.values = tradeValues(cells);
-        // The limit is timed and not judged: it draws what is visible.
-        if (findStrategy(request.id).info.limit) point.values.try_emplace(kUsualUp, RatioEstimate{0.0, {0.0, 0.0}, false});
-        points.push_back(std::move(point));
-    }
-    return points;
-}
-
-std::string tradeCsv(const std::vector<TradePoint>& points) {
-    ResultTable table;
-    table.columns = {{"strategy", "strategy"}, {"promise", "promise"}, {"views", "views"}};
-    for (const TradeFigure& figure : tradeFigures())
-        if (std::ranges::any_of(points, [&](const TradePoint& point) { return point.value(figure) != nullptr; }))
-            table.columns.push_back({figure.key, figure.title});
-    for (const TradePoint& point : points) {
-        Row row{{"strategy", point.name}, {"promise", std::string(promiseId(point.promise))}, {"views", double(point.views)}};
-        for (const auto& [key, value] : point.values) row[key] = value;
-        table.addRow(row);
-    }
-    return rowsCsv(table);
-}
 
 std::vector<size_t> paretoFront(std::span<const TradePoint> points, const TradeFigure& across, const TradeFigure& up,
                                 bool lossless) {
@@ -215,7 +105,7 @@ int TradePlot::lowestDecade(const TradeFigure& figure) const {
 }
 
 int TradePlot::highestDecade(const TradeFigure& figure) const {
-    int highest = 3;
+    int highest = figure.scale == 100.0 ? 2 : 3;  // percentages end at 100
     for (const TradePoint& point : m_points)
         if (const double value = point.value(figure)->ratio * figure.scale; value > 0.0)
             highest = std::max(highest, int(std::ceil(std::log10(value))));
@@ -234,9 +124,29 @@ PlotPoint TradePlot::place(const TradePoint& point) const {
 }
 
 std::string TradePlot::zeroLabel(const TradeFigure& figure, const TradeLook& look) const {
+    if (!figure.ofLoss || m_points.empty() || zerosDiffer(figure)) return "0";
     size_t views = 0;
-    for (const TradePoint& point : m_points) views = std::max(views, point.views);
-    return figure.ofLoss && views > 0 ? wordsOf(look, noLossIn(views)) : std::string("0");
+    for (const TradePoint& point : m_points)
+        if (point.judged) views = std::max(views, point.views);
+    for (const TradePoint& point : m_points)
+        if (point.judged && point.value(figure)->ratio == 0.0) views = point.views;
+    return views > 0 ? wordsOf(look, noLossIn(views)) : std::string("0");
+}
+
+bool TradePlot::zerosDiffer(const TradeFigure& figure) const {
+    const TradePoint* first = nullptr;
+    for (const TradePoint& point : m_points) {
+        if (!figure.ofLoss || point.value(figure)->ratio != 0.0) continue;
+        if (first == nullptr) first = &point;
+        if (point.judged != first->judged || (point.judged && point.views != first->views)) return true;
+    }
+    return first != nullptr && !first->judged;
+}
+
+std::string TradePlot::withZero(const TradePoint& point, const std::string& name, const TradeLook& look) const {
+    for (const TradeFigure* figure : {m_up, m_across})
+        if (point.value(*figure)->ratio == 0.0 && zerosDiffer(*figure)) return fmt::format("{}: {}", name, zeroText(point, look));
+    return name;
 }
 
 PlotAxis TradePlot::axis(const TradeFigure& figure, const TradeLook& look) const {
@@ -261,7 +171,7 @@ void TradePlot::addSweeps(LinePlot& plot, const TradeLook& look) const {
 }
 
 void TradePlot::addPoints(LinePlot& plot, const TradeLook& look) const {
-    size_t single = m_sweeps.size();
+    size_t next = m_sweeps.size();
     for (size_t i = 0; i < m_points.size(); ++i) {
         const TradePoint& point = m_points[i];
         const PlotPoint at = place(point);
@@ -272,19 +182,20 @@ void TradePlot::addPoints(LinePlot& plot, const TradeLook& look) const {
         else if (point.role != BaselineRole::None)
             colour = point.role == BaselineRole::Triangles ? look.darkBaseline : look.lightBaseline;
         else
-            colour = seriesOf(look, single++);
+            colour = seriesOf(look, next++);
         // Paler than the sweeps, which run the same way where nothing is missed.
         const PlotPen pale{paler(point.role == BaselineRole::None ? colour : look.style.faint), 1.5};
         if (const RatioEstimate& x = *point.value(*m_across); x.hasInterval)
             plot.lines.push_back(plainLine({}, {{along(*m_across, x.ci95[0]), at.y}, {along(*m_across, x.ci95[1]), at.y}}, pale));
         if (const RatioEstimate& y = *point.value(*m_up); y.hasInterval)
             plot.lines.push_back(plainLine({}, {{at.x, along(*m_up, y.ci95[0])}, {at.x, along(*m_up, y.ci95[1])}}, pale));
-        plot.marks.push_back({sweep == m_sweeps.size() ? point.name : std::string(),
+        const bool single = sweep == m_sweeps.size();
+        plot.marks.push_back({single ? withZero(point, point.name, look) : std::string(),
                               at,
                               shapeOf(point.promise),
                               {look.style.text, 1.2},
                               colour,
-                              point.label});
+                              single ? point.label : withZero(point, point.label, look)});
     }
     for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
         if (std::ranges::any_of(m_points, [&](const TradePoint& point) { return point.promise == promise; }))
@@ -335,10 +246,10 @@ LinePlot TradePlot::plot(const TradeLook& look) const {
     return plot;
 }
 
-std::string tradeValueText(const TradePlot& plot, const TradePoint& point, const TradeFigure& figure, const TradeLook& look) {
+std::string tradeValueText(const TradePoint& point, const TradeFigure& figure, const TradeLook& look) {
     const RatioEstimate* const value = point.value(figure);
     if (value == nullptr) return "–";
-    if (value->ratio == 0.0 && figure.ofLoss) return plot.zeroLabel(figure, look);
+    if (value->ratio == 0.0 && figure.ofLoss) return zeroText(point, look);
     const auto number = [&](double one) { return fmt::format("{:.{}f}", one * figure.scale, figure.decimals); };
     if (!value->hasInterval) return number(value->ratio);
     return fmt::format("{} [{}, {}]", number(value->ratio), number(value->ci95[0]), number(value->ci95[1]));

@@ -40,7 +40,8 @@ struct TradePoint {
     std::string sweep;  ///< its name, of points that are joined by a line in their order; empty: of none
     Promise promise = Promise::Approximate;
     BaselineRole role = BaselineRole::None;
-    size_t views = 0;
+    size_t views = 0;                               ///< judged, if it was
+    bool judged = true;                             ///< its loss was counted; false: a loss of 0 is what it promises
     std::map<std::string, RatioEstimate> values{};  ///< by key of a figure; what was not measured is missing
 
     /// Its number for a figure; none where it was not measured.
@@ -92,12 +93,17 @@ public:
     [[nodiscard]] double along(const TradeFigure& figure, double value) const;
     /// The lower end of a figure's decades, as a power of ten.
     [[nodiscard]] int lowestDecade(const TradeFigure& figure) const;
-    /// "0 (< 3/16)": nothing lost in 16 views; "0" of a figure that is no loss.
+    /// "0 (< 3/16)": nothing lost in 16 views; "0" of a figure that is no loss, and where this holds of points for different
+    /// numbers of views: they say it themselves.
     [[nodiscard]] std::string zeroLabel(const TradeFigure& figure, const TradeLook& look = {}) const;
     [[nodiscard]] LinePlot plot(const TradeLook& look) const;
 
 private:
     [[nodiscard]] int highestDecade(const TradeFigure& figure) const;
+    /// Whether the points at 0 of a loss were judged at different numbers of views, or not.
+    [[nodiscard]] bool zerosDiffer(const TradeFigure& figure) const;
+    /// A name, and what a loss of 0 says of the point where the axis does not.
+    [[nodiscard]] std::string withZero(const TradePoint& point, const std::string& name, const TradeLook& look) const;
     [[nodiscard]] PlotAxis axis(const TradeFigure& figure, const TradeLook& look) const;
     /// The first sweep that a point lies on; as many as there are where it is on none.
     [[nodiscard]] size_t sweepOf(size_t point) const;
@@ -112,7 +118,6 @@ private:
 };
 
 /// The value of a point in words: "1.90 [1.70, 2.10]", "0 (< 3/16)".
-[[nodiscard]] std::string tradeValueText(const TradePlot& plot, const TradePoint& point, const TradeFigure& figure,
-                                         const TradeLook& look = {});
+[[nodiscard]] std::string tradeValueText(const TradePoint& point, const TradeFigure& figure, const TradeLook& look = {});
 
 }  // namespace cullscope

@@ -223,7 +223,7 @@ private:
             numbers.push_back(i);
             subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i])});
             subjects.back().others = others;
-            subjects.back().judged = m_request.accuracy && contestant.askedFor;
+            subjects.back().judged = m_request.accuracy && (contestant.askedFor || isLimit(i));
         }
         TimingProtocol protocol = m_request.timing;
         if (protocol.warmUpOnce && m_poses > 0) protocol.warmUp = 0;

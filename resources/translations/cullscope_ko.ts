@@ -386,6 +386,11 @@
         <extracomment>The share of what any culling could gain that this strategy gains.</extracomment>
         <translation>이 여유 중 비율: %1</translation>
     </message>
+    <message>
+        <source>Nothing could be gained here: drawing the visible triangles alone is %1 against %2</source>
+        <extracomment>The speed of drawing exactly the visible triangles over a baseline, %2, and its 95 % interval: &quot;×0.92 (0.81 – 1.02)&quot;.</extracomment>
+        <translation>여기서는 얻을 것이 없습니다: 보이는 삼각형만 그리면 %2 대비 %1입니다</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -7957,6 +7962,10 @@
         <source>How many objects of which nothing is known are tested before groups are, those that look largest: what they hide is left out by groups.</source>
         <translation>알려진 것이 없는 물체 가운데 가장 커 보이는 것을 몇 개까지 그룹보다 먼저 검사하는지입니다. 이들이 가리는 것은 그룹 단위로 제외됩니다.</translation>
     </message>
+    <message>
+        <source>0 as promised, not judged</source>
+        <translation>약속으로는 0, 판정하지 않음</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8057,10 +8066,6 @@ OpenGL %2
         <translation>프레임</translation>
     </message>
     <message>
-        <source>Missed per million</source>
-        <translation>백만분의 놓침</translation>
-    </message>
-    <message>
         <source>Build time</source>
         <translation>구축 시간</translation>
     </message>
@@ -8127,6 +8132,22 @@ OpenGL %2
     <message>
         <source>Paid back, frames</source>
         <translation>회수까지의 프레임</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>뷰 수</translation>
+    </message>
+    <message>
+        <source>How many views were timed. Of a strategy that left early, speed and frame time are the best one&apos;s, times how both compare at these views.</source>
+        <translation>시간을 측정한 뷰의 수입니다. 일찍 빠진 전략의 속도와 프레임 시간은, 가장 좋은 전략의 값에 이 뷰들에서 둘을 비교한 비율을 곱한 값입니다.</translation>
+    </message>
+    <message>
+        <source>Missed, ppm</source>
+        <translation>놓침, ppm</translation>
+    </message>
+    <message>
+        <source>Missed of a million covered pixels</source>
+        <translation>덮인 픽셀 백만 개 중 놓친 수</translation>
     </message>
 </context>
 <context>
@@ -9499,6 +9520,10 @@ OpenGL %2
     <message>
         <source>Share of the time saved that any culling could save, each against the baseline that draws the same sides. Below 0: slower than that baseline</source>
         <translation>어떤 컬링이든 줄일 수 있는 시간 중 줄인 비율로, 각각 같은 면을 그리는 기준선과 비교합니다. 0보다 작으면 그 기준선보다 느립니다</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>없음</translation>
     </message>
 </context>
 <context>

@@ -386,6 +386,11 @@
         <extracomment>The share of what any culling could gain that this strategy gains.</extracomment>
         <translation>占此余地的比例：%1</translation>
     </message>
+    <message>
+        <source>Nothing could be gained here: drawing the visible triangles alone is %1 against %2</source>
+        <extracomment>The speed of drawing exactly the visible triangles over a baseline, %2, and its 95 % interval: &quot;×0.92 (0.81 – 1.02)&quot;.</extracomment>
+        <translation>此处没有可获得的：只绘制可见三角形相对于 %2 为 %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -7957,6 +7962,10 @@
         <source>How many objects of which nothing is known are tested before groups are, those that look largest: what they hide is left out by groups.</source>
         <translation>在测试组之前，先测试多少个尚无所知、看起来最大的物体：被它们遮挡之物按组剔除。</translation>
     </message>
+    <message>
+        <source>0 as promised, not judged</source>
+        <translation>按承诺为 0，未评判</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -8057,10 +8066,6 @@ OpenGL %2
         <translation>帧</translation>
     </message>
     <message>
-        <source>Missed per million</source>
-        <translation>每百万丢失</translation>
-    </message>
-    <message>
         <source>Build time</source>
         <translation>构建时间</translation>
     </message>
@@ -8127,6 +8132,22 @@ OpenGL %2
     <message>
         <source>Paid back, frames</source>
         <translation>收回所需帧数</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视图数</translation>
+    </message>
+    <message>
+        <source>How many views were timed. Of a strategy that left early, speed and frame time are the best one&apos;s, times how both compare at these views.</source>
+        <translation>计时的视图数。对于提前退出的策略，其速度和帧时间是最佳策略的值乘以两者在这些视图上的比值。</translation>
+    </message>
+    <message>
+        <source>Missed, ppm</source>
+        <translation>遗漏，ppm</translation>
+    </message>
+    <message>
+        <source>Missed of a million covered pixels</source>
+        <translation>每百万个覆盖像素中遗漏的数量</translation>
     </message>
 </context>
 <context>
@@ -9499,6 +9520,10 @@ OpenGL %2
     <message>
         <source>Share of the time saved that any culling could save, each against the baseline that draws the same sides. Below 0: slower than that baseline</source>
         <translation>已节省的时间占任何剔除可节省时间的比例，各自与绘制相同面的基线相比。低于 0：比该基线慢</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
     </message>
 </context>
 <context>

@@ -93,6 +93,10 @@ TEST_F(Study, partsAreBroughtTogetherInOneStore) {
     EXPECT_THAT(cullbench({"store", file("all"), "add", file("part-1"), file("all")}).out, HasSubstr("already"));
     const ProcessResult again = cullbench({"study", file("study.txt"), "--store", file("part-1"), "--shard", "1/2"});
     EXPECT_THAT(again.err, AllOf(HasSubstr("line 2 is done"), HasSubstr("line 5 is done"), HasSubstr("line 7 is done")));
+    const ProcessResult merged = cullbench({"study", file("study.txt"), "--store", file("all")});
+    EXPECT_THAT(merged.err, AllOf(HasSubstr("line 2 is done"), HasSubstr("line 4 is done"), HasSubstr("line 5 is done"),
+                                  HasSubstr("line 7 is done")))
+        << "though to another store";
     EXPECT_EQ(all.list().size(), 3u);
     EXPECT_EQ(all.reports().size(), 2u);
 }

@@ -116,6 +116,20 @@ TEST(Models, aSpeedThatIsStillBeingMeasuredIsNotWrittenAsANumber) {
     EXPECT_FALSE(metricsDetails(figures, {}).contains(QStringLiteral("fps"))) << metricsDetails(figures, {}).toStdString();
 }
 
+TEST(Models, theMostThatCullingCanGainIsNeverLessThanNothing) {
+    MetricsModel model;
+    ViewMetrics figures = someFigures();
+    for (const double most : {2.0, 0.92}) {
+        figures.headroom = ViewHeadroom{{most, {most - 0.1, most + 0.1}}, "all", std::nullopt};
+        model.setColumns({{0, figures}});
+        QStringList values;
+        for (int row = 0; row < model.rowCount(); ++row)
+            if (model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString() == QStringLiteral("Any culling, at most"))
+                values << model.index(row, 0).data().toString();
+        EXPECT_EQ(values, QStringList{most < 1.0 ? QStringLiteral("nothing") : QStringLiteral("×2.0")});
+    }
+}
+
 TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
     MetricsModel model;
     ViewMetrics figures = someFigures();

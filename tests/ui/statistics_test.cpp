@@ -66,6 +66,10 @@ TEST(ResultTable, viewsHaveTheirShareOfTheHeadroomWhereCullingCanGainAnything) {
     view.figures.headroom->share.reset();
     EXPECT_FALSE(liveRows({view})[0].headroomShare);
     EXPECT_FALSE(metricsDetails(view.figures, {}).contains(QStringLiteral("Of this headroom")));
+    // Drawing everything is ×1, so that no less is the most that can be gained.
+    view.figures.headroom->most = {0.92, {0.81, 1.02}};
+    EXPECT_TRUE(metricsDetails(view.figures, {}).contains(QStringLiteral("Nothing could be gained here")));
+    EXPECT_FALSE(metricsDetails(view.figures, {}).contains(QStringLiteral("at most")));
 }
 
 TEST(ResultTable, limitStandsInTableAndPlotsBesideTheStrategies) {

@@ -28,7 +28,7 @@ constexpr int kRowHeight = 22;
 constexpr QSize kAdvisePlotSize{960, 480};
 constexpr double kPerMillion = 1e6;
 constexpr double kAnswerLetters = 1.25;  // of the usual size
-enum AdviceColumn { Name, PromiseOf, Speed, Headroom, Frame, Missed, Build, Bytes, PaidBack, Came, AdviceColumns };
+enum AdviceColumn { Name, PromiseOf, Speed, Headroom, Frame, Views, Missed, Build, Bytes, PaidBack, Came, AdviceColumns };
 
 /// As the plot shows it.
 RunFigures figuresOf(const advice::AdvisedStrategy& strategy) {
@@ -42,6 +42,7 @@ RunFigures figuresOf(const advice::AdvisedStrategy& strategy) {
     figures.promise = strategy.promise;
     figures.frameMilliseconds = strategy.frameMilliseconds;
     figures.poses.resize(strategy.judgedViews > 0 ? strategy.judgedViews : strategy.views);
+    figures.judged = strategy.judgedViews > 0;
     return figures;
 }
 
@@ -71,6 +72,7 @@ std::array<QString, AdviceColumns> cellsOf(const advice::AdvisedStrategy& strate
             strategy.ratioToAll ? speedWithInterval(*strategy.ratioToAll) : none,
             strategy.headroomShare ? percentText(strategy.headroomShare->ratio) + QStringLiteral(" %") : none,
             timed ? millisecondsText(strategy.frameMilliseconds) : none,
+            timed ? countText(strategy.views) : none,
             missedWords(strategy),
             strategy.built ? millisecondsText(strategy.structure.buildMilliseconds) : none,
             strategy.built ? bytesText(strategy.structure.bytes) : none,
@@ -152,9 +154,13 @@ void AdviseDialog::setUpTop(QLayout& layout) {
 }
 
 void AdviseDialog::setUpTable() {
-    setUpRows(*m_table, {tr("Strategy"), tr("Promise"), tr("× everything"), tr("Headroom"), tr("Frame"), tr("Missed per million"),
-                         tr("Build time"), tr("Structure"), tr("Paid back, frames"), tr("How it came out")});
+    setUpRows(*m_table, {tr("Strategy"), tr("Promise"), tr("× everything"), tr("Headroom"), tr("Frame"), tr("Views"),
+                         tr("Missed, ppm"), tr("Build time"), tr("Structure"), tr("Paid back, frames"), tr("How it came out")});
     m_table->horizontalHeaderItem(Headroom)->setToolTip(tr("Share of the time saved that any culling could save"));
+    m_table->horizontalHeaderItem(Missed)->setToolTip(tr("Missed of a million covered pixels"));
+    m_table->horizontalHeaderItem(Views)->setToolTip(
+        tr("How many views were timed. Of a strategy that left early, speed and frame time are the best one's, times how both "
+           "compare at these views."));
     m_table->setAccessibleName(tr("Strategies by their speed"));
     m_table->setAlternatingRowColors(true);
     m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);

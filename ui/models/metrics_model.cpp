@@ -124,6 +124,8 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
             if (!figures.speedup) return pending;
             return figures.speedup->hasInterval ? intervalText(*figures.speedup) : QStringLiteral("–");
         case Most:
+            // Drawing everything is ×1. Where drawing the visible triangles alone is less, there is nothing to gain.
+            if (figures.headroom && figures.headroom->most.ratio < 1.0) return tr("nothing");
             return figures.headroom ? speedText(figures.headroom->most) : pending;
         case Share:
             return figures.headroom && figures.headroom->share ? headroomText({figures.headroom->share->ratio, {}, false})

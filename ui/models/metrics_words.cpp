@@ -56,6 +56,11 @@ QString speedSentence(const ViewFigures& figures) {
 }
 
 QString headroomSentence(const ViewHeadroom& headroom) {
+    if (headroom.most.ratio < 1.0)
+        //: The speed of drawing exactly the visible triangles over a baseline, %2, and its 95 % interval: "×0.92 (0.81 – 1.02)".
+        return QCoreApplication::translate("Wording",
+                                           "Nothing could be gained here: drawing the visible triangles alone is %1 against %2")
+            .arg(speedWithInterval(headroom.most), QString::fromStdString(headroom.baseline));
     //: What drawing exactly the visible triangles gains over a baseline, %2, and its 95 % interval: "×3.1 (2.93 – 3.31)".
     const QString most =
         QCoreApplication::translate("Wording", "Any culling could gain at most %1 against %2: the visible triangles alone")

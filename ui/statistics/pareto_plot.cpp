@@ -47,6 +47,7 @@ TradePoint ParetoPlot::pointFor(size_t number) const {
     point.promise = run.promise;
     point.role = run.role;
     point.views = run.poses.size();
+    point.judged = run.judged;
     point.values = run.values;
     point.values[kUsualAcross] = run.speedup;
     // What counts as lost is decided where the pixels are counted.
@@ -98,8 +99,7 @@ QString ParetoPlot::pointText(size_t run) const {
     QStringList lines{QStringLiteral("%1, %2").arg(m_runs[run].label, promiseWord(m_runs[run].promise))};
     for (const TradeFigure* figure : {m_across, m_up})
         lines << tr("%1: %2", "a figure and its value")
-                     .arg(translated(figure->title),
-                          QString::fromStdString(tradeValueText(m_plot, point, *figure, look(palette()))));
+                     .arg(translated(figure->title), QString::fromStdString(tradeValueText(point, *figure, look(palette()))));
     return lines.join(QLatin1Char('\n'));
 }
 

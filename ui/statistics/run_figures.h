@@ -37,6 +37,7 @@ struct RunFigures {
     RatioEstimate speedup;                        ///< over the baseline with the same facing rule
     std::optional<RatioEstimate> headroomShare;   ///< Summary
     std::optional<double> missedPpm;              ///< over all poses
+    bool judged = true;                           ///< TradePoint::judged
     std::map<std::string, RatioEstimate> values;  ///< by key of the figures that may be axes (tradeFigures)
     std::vector<PoseFigures> poses;
 };

@@ -38,10 +38,10 @@ Message structureSentence(const AdvisedStrategy& best) {
 Message headroomSentence(const Advice& advice) {
     if (!advice.limitRatio) return {};
     const std::string most = decimal(*advice.limitRatio, 2);
+    if (advice.strategies[*advice.best].ratioToAll->ratio > *advice.limitRatio)
+        return {CULLSCOPE_TR("That is more than drawing exactly what is visible gains by OpenGL, which is ×%1."), {most}};
     if (!advice.headroomShare)
         return {CULLSCOPE_TR("No culling could gain here for certain: drawing exactly what is visible is ×%1."), {most}};
-    if (advice.headroomShare->ratio > 1.0)
-        return {CULLSCOPE_TR("That is more than drawing exactly what is visible gains by OpenGL, which is ×%1."), {most}};
     return {CULLSCOPE_TR("Any culling could gain ×%1 at most; this is %2 % of the time that could be saved."),
             {most, percentText(advice.headroomShare->ratio)}};
 }
@@ -87,7 +87,7 @@ const char* standingId(Standing standing) {
 Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 Json strategyJson(const AdvisedStrategy& strategy) {
-    const bool interval = strategy.ratioToAll && strategy.ratioToAll->hasInterval;
+    const bool interval = strategy.ratioToAll && strategy.ratioToAll->hasInterval, judged = strategy.judgedViews > 0;
     return {{"strategy", strategyText(strategy.strategy)},
             {"standing", strategy.limit ? "limit" : standingId(strategy.standing)},
             {"why", strategy.why.empty() ? Json(nullptr) : Json(strategy.why.english())},
@@ -98,8 +98,8 @@ Json strategyJson(const AdvisedStrategy& strategy) {
             {"ratio_to_all_ci95", interval ? Json(strategy.ratioToAll->ci95) : Json(nullptr)},
             {"headroom_share", strategy.headroomShare ? Json(strategy.headroomShare->ratio) : Json(nullptr)},
             {"judged_views", strategy.judgedViews},
-            {"views_with_loss", strategy.viewsWithLoss},
-            {"lost_pixels", strategy.lostPixels},
+            {"views_with_loss", judged ? Json(strategy.viewsWithLoss) : Json(nullptr)},
+            {"lost_pixels", judged ? Json(strategy.lostPixels) : Json(nullptr)},
             {"lost_pixel_rate", orNull(strategy.missedRate())},
             {"build_ms", strategy.built ? Json(strategy.structure.buildMilliseconds) : Json(nullptr)},
             {"structure_bytes", strategy.built ? Json(strategy.structure.bytes) : Json(nullptr)},
@@ -149,7 +149,12 @@ std::string adviceText(const Advice& advice) {
     text += advice.gl.renderer + (advice.gl.software ? " (software OpenGL: times are not a GPU's)\n" : "\n");
     text += fmt::format("{:<44} {:<12} {:>6} {:>9} {:>19} {:>9} {:>14} {:>10} {:>12} {:>9}  {}\n", "strategy", "promise", "views",
                         "ms", "x all [95 %]", "headroom", "missed ppm", "build ms", "bytes", "paid back", "");
-    for (const AdvisedStrategy& strategy : advice.strategies)
+    size_t notTried = 0;
+    for (const AdvisedStrategy& strategy : advice.strategies) {
+        if (strategy.standing == Standing::FarBehind && strategy.views == 0) {
+            ++notTried;
+            continue;
+        }
         text += fmt::format("{:<44} {:<12} {:>6} {:>9} {:>19} {:>9} {:>14} {:>10} {:>12} {:>9}  {}\n",
                             terminalLine(strategyLabel(strategy.strategy)), strategy.built ? promiseId(strategy.promise) : "-",
                             strategy.views, strategy.views > 0 ? decimal(strategy.frameMilliseconds, 2) : "-",
@@ -159,6 +164,10 @@ std::string adviceText(const Advice& advice) {
                             strategy.built ? std::to_string(strategy.structure.bytes) : "-",
                             strategy.paybackFrames ? decimal(std::ceil(*strategy.paybackFrames), 0) : "-",
                             terminalLine(standingWords(strategy).english()));
+    }
+    if (notTried > 0)
+        text += fmt::format("{} other values of parameters were not tried: at their defaults these strategies cannot win\n",
+                            notTried);
     return text;
 }
 
@@ -195,7 +204,8 @@ TradePoint tradePoint(const AdvisedStrategy& strategy) {
     point.name = point.label = strategyLabel(strategy.strategy);
     point.promise = strategy.promise;
     point.role = findStrategy(strategy.strategy.id).info.baseline;
-    point.views = strategy.judgedViews > 0 ? strategy.judgedViews : strategy.views;
+    point.judged = strategy.judgedViews > 0;
+    point.views = point.judged ? strategy.judgedViews : strategy.views;
     if (strategy.ratioToAll) point.values["ratio_to_all"] = *strategy.ratioToAll;
     point.values["build_ms"] = plain(strategy.structure.buildMilliseconds);
     point.values["structure_bytes"] = plain(double(strategy.structure.bytes));

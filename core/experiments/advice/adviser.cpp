@@ -312,7 +312,7 @@ private:
             leave(*choice, Standing::Loses);
             choice = chosen();
         }
-        setTimes(m_entrants);
+        setTimes(m_entrants, choice);
         for (const Entrant& entrant : m_entrants)
             if (entrant.figures.limit && entrant.figures.ratioToAll) advice.limitRatio = entrant.figures.ratioToAll->ratio;
         if (choice != nullptr) advice.headroomShare = choice->figures.headroomShare;

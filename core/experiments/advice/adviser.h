@@ -39,10 +39,12 @@ struct AdvisedStrategy {
     Message why{};       ///< for Standing::Refused
     bool built = false;  ///< its promise and its structure are known
     StructureReport structure{};
+    // The three figures below hold for all views. Of a strategy that left after some of them they are the best one's, times how
+    // both compare at these: views differ, and one that saw the easy ones alone would look faster than it is.
     size_t views = 0;                              ///< timed
-    double frameMilliseconds = 0.0;                ///< mean over these views
+    double frameMilliseconds = 0.0;                ///< mean
     std::optional<RatioEstimate> ratioToAll{};     ///< over drawing everything, both sides
-    std::optional<RatioEstimate> headroomShare{};  ///< shareOfHeadroom, of the views at which both were timed
+    std::optional<RatioEstimate> headroomShare{};  ///< shareOfHeadroom; no interval where it left
     size_t judgedViews = 0, viewsWithLoss = 0;     ///< of the judged ones
     uint64_t coveredPixels = 0, lostPixels = 0;    ///< likewise
     std::optional<double>

@@ -111,17 +111,38 @@ std::vector<const Entrant*> ranked(const std::vector<Entrant>& entrants, const E
 
 namespace {
 
+size_t viewsOf(const std::vector<std::vector<double>>& times) {
+    return size_t(std::ranges::count_if(times, [](const auto& view) { return !view.empty(); }));
+}
+
 void setTimes(Entrant& entrant, const Entrant& everything) {
     const bool raced = sumOf(entrant.times) > 0.0;
     const std::vector<std::vector<double>>& times = raced ? entrant.times : entrant.probes;
-    const std::vector<std::vector<double>>& all = raced ? everything.times : everything.probes;
     AdvisedStrategy& figures = entrant.figures;
-    figures.views = size_t(std::ranges::count_if(times, [](const auto& view) { return !view.empty(); }));
+    figures.views = viewsOf(times);
     if (figures.views == 0) return;
     figures.frameMilliseconds = sumOf(times) / double(figures.views);
-    figures.ratioToAll = ratioBetween(all, times);
-    const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
-    if (saved > 0.0 && figures.structure.bytes > 0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
+    figures.ratioToAll = ratioBetween(raced ? everything.times : everything.probes, times);
+}
+
+/// Of an entrant that left after some of the views: its figures at all of them, by those of the choice.
+void setByChoice(Entrant& entrant, const Entrant& choice, double limitRatio) {
+    AdvisedStrategy& figures = entrant.figures;
+    const bool raced = sumOf(entrant.times) > 0.0;
+    const std::vector<std::vector<double>>& times = raced ? entrant.times : entrant.probes;
+    // Of the choice those of the same turns: what another program took of the processor, it took of both.
+    std::vector<std::vector<double>> sameTurns = raced ? choice.times : choice.probes;
+    for (size_t view = 0; view < times.size(); ++view)
+        sameTurns[view].resize(std::min(sameTurns[view].size(), times[view].size()));
+    const RatioEstimate beside = ratioBetween(sameTurns, times);
+    if (!(beside.ratio > 0.0)) return;
+    const double best = choice.figures.ratioToAll->ratio;
+    figures.ratioToAll = {best * beside.ratio, {best * beside.ci95[0], best * beside.ci95[1]}, beside.hasInterval};
+    figures.frameMilliseconds = choice.figures.frameMilliseconds / beside.ratio;
+    figures.headroomShare.reset();
+    if (!choice.figures.headroomShare || limitRatio <= 1.0) return;
+    const double share = (1.0 - 1.0 / figures.ratioToAll->ratio) / (1.0 - 1.0 / limitRatio);
+    figures.headroomShare = RatioEstimate{share, {share, share}, false};
 }
 
 }  // namespace
@@ -133,10 +154,21 @@ Entrant* fastest(std::vector<Entrant>& entrants) {
     return best;
 }
 
-void setTimes(std::vector<Entrant>& entrants) {
+void setTimes(std::vector<Entrant>& entrants, const Entrant* choice) {
+    double limitRatio = 0.0;
     for (Entrant& entrant : entrants) {
         setTimes(entrant, entrants.front());
+        if (entrant.figures.limit && entrant.figures.ratioToAll) limitRatio = entrant.figures.ratioToAll->ratio;
+    }
+    for (Entrant& entrant : entrants)
         if (!entrant.figures.limit) entrant.figures.headroomShare = headroomOf(entrant, entrants);
+    for (Entrant& entrant : entrants) {
+        AdvisedStrategy& figures = entrant.figures;
+        if (choice != nullptr && figures.views > 0 && figures.views < choice->figures.views)
+            setByChoice(entrant, *choice, limitRatio);
+        if (!figures.ratioToAll) continue;
+        const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
+        if (saved > 0.0 && figures.structure.bytes > 0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;
     }
 }
 

@@ -14,12 +14,12 @@
 namespace cullscope::worst {
 namespace {
 
-constexpr int kColumns = 12, kRows = 6;        // of the coarse grid: parts of 30 degrees
-constexpr size_t kPlaces = 16, kAzimuths = 8;  // inside
-constexpr size_t kRefined = 6;                 // parts in a step
-constexpr size_t kConfirmedViews = 5;          // the worst of a search for the least gain
-constexpr int kConfirmingTurns = 5;            // times the repetitions of the search
-constexpr double kLeastPart = 1.0;             // degrees: smaller parts are not divided
+constexpr std::array kCoarseParts{30.0, 45.0, 60.0, 90.0, 180.0};  // degrees, of the coarse grid
+constexpr size_t kPlaces = 16, kAzimuths = 8;                      // inside
+constexpr size_t kRefined = 6;                                     // parts in a step
+constexpr size_t kConfirmedViews = 5;                              // the worst of a search for the least gain
+constexpr int kConfirmingTurns = 5;                                // times the repetitions of the search
+constexpr double kLeastPart = 1.0;                                 // degrees: smaller parts are not divided
 constexpr double kMostElevation = 90.0, kInsideElevation = 30.0;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
@@ -66,7 +66,9 @@ private:
         if (!m_request.inside) {
             m_result.lens = cameraPath("fibonacci:1", scene);
         } else {
-            m_result.lens = tour(scene, kPlaces, m_progress.part(0.1, 0.2));
+            // Few views look all around from fewer places.
+            const size_t places = std::clamp(m_request.views / kAzimuths, size_t(1), kPlaces);
+            m_result.lens = tour(scene, places, m_progress.part(0.1, 0.2));
             for (const CameraPath::Pose& pose : m_result.lens.poses) m_places.push_back(pose.eye);
         }
         m_result.lens.poses.clear();
@@ -75,19 +77,24 @@ private:
 
     void coarse() {
         if (m_request.inside) {
+            const size_t azimuths = std::min(kAzimuths, m_request.views);
             for (size_t place = 0; place < m_places.size(); ++place)
-                for (size_t i = 0; i < kAzimuths; ++i) {
-                    const double width = 360.0 / double(kAzimuths), left = -180.0 + width * double(i);
+                for (size_t i = 0; i < azimuths; ++i) {
+                    const double width = 360.0 / double(azimuths), left = -180.0 + width * double(i);
                     tryView(left, left + width, -kInsideElevation, kInsideElevation, place);
                 }
             return;
         }
-        for (int row = 0; row < kRows; ++row)
-            for (int column = 0; column < kColumns; ++column) {
-                const double width = 360.0 / kColumns, height = 2.0 * kMostElevation / kRows;
-                const double left = -180.0 + width * column, bottom = -kMostElevation + height * row;
-                tryView(left, left + width, bottom, bottom + height, 0);
-            }
+        const auto [width, height] = coarsePart();
+        for (double bottom = -kMostElevation; bottom < kMostElevation; bottom += height)
+            for (double left = -180.0; left < 180.0; left += width) tryView(left, left + width, bottom, bottom + height, 0);
+    }
+
+    /// Width and height of the smallest parts of which the views cover the whole sphere.
+    [[nodiscard]] std::pair<double, double> coarsePart() const {
+        for (const double part : kCoarseParts)
+            if (360.0 / part * (180.0 / part) <= double(m_request.views)) return {part, part};
+        return {360.0, 180.0};
     }
 
     /// Divides the worst parts; false: there is nothing more to try.

@@ -41,6 +41,33 @@ TEST(TradePlot, zeroStandsOnABandOfItsOwnBelowTheLeastLoss) {
     EXPECT_LT(drawn.bars.front().boxes.front().top, std::log10(0.03));
 }
 
+TEST(TradePlot, pointsOfZeroSayHowManyViewsItHoldsOfWhereTheseDiffer) {
+    std::vector<TradePoint> points{pointOf("long", 1.0, 0.0), pointOf("short", 2.0, 0.0), pointOf("promised", 3.0, 0.0),
+                                   pointOf("some", 4.0, 1e-3)};
+    points[1].views = 2;
+    points[2].judged = false;
+    const TradePlot plot(points, speed(), loss());
+    EXPECT_EQ(plot.zeroLabel(loss()), "0") << "no number of views holds of all three";
+    std::vector<std::string> names;
+    for (const PlotMark& mark : plot.plot({}).marks) names.push_back(mark.name);
+    EXPECT_THAT(names,
+                testing::IsSupersetOf({"long: 0 (< 3/16)", "short: 0 of 2", "promised: 0 as promised, not judged", "some"}));
+    EXPECT_EQ(tradeValueText(points[1], loss()), "0 of 2");
+    EXPECT_EQ(TradePlot({points[1], points[3]}, speed(), loss()).zeroLabel(loss()), "0 of 2") << "not that of the lossy one";
+    EXPECT_EQ(TradePlot({points[2], points[3]}, speed(), loss()).zeroLabel(loss()), "0") << "nothing was judged there";
+}
+
+TEST(TradePlot, aQuantileOfZeroIsNoBoundOfLosses) {
+    TradePoint point = pointOf("some", 1.0, 1e-3);
+    point.values["image_difference_p99"] = plain(0.0);
+    const TradeFigure& quantile = tradeFigure("image_difference_p99");
+    EXPECT_EQ(TradePlot({point}, speed(), quantile).zeroLabel(quantile), "0");
+    EXPECT_EQ(tradeValueText(point, quantile), "0.000");
+    const TradeFigure& share = tradeFigure("object_false_negative_rate");
+    point.values[share.key] = plain(0.25);
+    EXPECT_EQ(TradePlot({point}, speed(), share).plot({}).y.ticks.back().label, "100") << "no axis of percentages goes beyond";
+}
+
 TEST(TradePlot, eitherAxisMayBeByDecades) {
     const TradePlot plot({pointOf("none", 1.0, 0.0), pointOf("some", 2.0, 1e-3)}, loss(), speed());
     EXPECT_DOUBLE_EQ(plot.place(plot.points()[0]).x, -1.0);
@@ -97,7 +124,7 @@ TEST(TradePlot, rowsOfASweepAreItsPoints) {
     EXPECT_EQ(points[1].role, BaselineRole::FrontFaces);
     const TradePlot plot(points, speed(), loss());
     EXPECT_EQ(plot.points().size(), 1u) << "the other row has neither figure";
-    EXPECT_EQ(tradeValueText(plot, plot.points().front(), speed()), "2.00 [1.50, 2.50]");
+    EXPECT_EQ(tradeValueText(plot.points().front(), speed()), "2.00 [1.50, 2.50]");
     EXPECT_THAT(tradeCsv(points), testing::HasSubstr("spherical rows=45,approximate,8,2,1.5,2.5"));
 }
 

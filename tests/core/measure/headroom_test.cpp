@@ -17,6 +17,10 @@ TEST(Measure, limitGivesEveryRunAShareOfWhatCanBeSaved) {
         ASSERT_TRUE(result.limit);
         EXPECT_EQ(result.limit->strategy.id, limitOfCulling().id);
         EXPECT_EQ(result.limit->frames.size(), experiment.path.poses.size());
+        for (const FrameMeasurement& frame : result.limit->frames) {
+            ASSERT_TRUE(frame.accuracy) << "it is judged as the strategies are";
+            EXPECT_EQ(frame.lostPixels, 0u);
+        }
         EXPECT_EQ(result.runs.size(), baselines ? 4u : 2u);
         EXPECT_EQ(std::ranges::count(result.runs, limitOfCulling().id, [](const auto& run) { return run.strategy.id; }),
                   baselines ? 1 : 0);
