@@ -107,7 +107,7 @@ std::vector<TradePoint> tradePoints(const ResultTable& table) {
         point.promise = promiseFromId(wordsIn(table, row, "promise"));
         point.views = size_t(numberOf(table.value(row, "poses")).value_or(0.0));
         point.values = tradeValues(cells);
-        // The limit is timed and not judged: it draws what is visible.
+        // Where the limit was not judged, as in older files: it draws what is visible.
         if (findStrategy(request.id).info.limit) point.values.try_emplace(kUsualUp, RatioEstimate{0.0, {0.0, 0.0}, false});
         points.push_back(std::move(point));
     }

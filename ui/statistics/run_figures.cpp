@@ -59,7 +59,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         if (const std::optional<Losses> losses = run.losses())
             figures.missedPpm =
                 ppmOf(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels, losses->coveredPixels);
-        // The limit is timed and not judged: it draws what is visible.
+        // Where the limit was not judged, as in older files: it draws what is visible.
         if (figures.limit && !figures.missedPpm) figures.missedPpm = 0.0;
         figures.values = tradeValues(rowCells({}, run));
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, run, result));

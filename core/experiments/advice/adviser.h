@@ -39,8 +39,8 @@ struct AdvisedStrategy {
     Message why{};       ///< for Standing::Refused
     bool built = false;  ///< its promise and its structure are known
     StructureReport structure{};
-    // The three figures below hold for all views. Of a strategy that left after some of them they are the best one's, times how
-    // both compare at these: views differ, and one that saw the easy ones alone would look faster than it is.
+    // The three figures below hold for all views. Of a strategy that left the race they are the best one's, times how both
+    // compare at the views and turns that it drew: with those alone one that saw the easy views would look faster than it is.
     size_t views = 0;                              ///< timed
     double frameMilliseconds = 0.0;                ///< mean
     std::optional<RatioEstimate> ratioToAll{};     ///< over drawing everything, both sides

@@ -125,7 +125,7 @@ void setTimes(Entrant& entrant, const Entrant& everything) {
     figures.ratioToAll = ratioBetween(raced ? everything.times : everything.probes, times);
 }
 
-/// Of an entrant that left after some of the views: its figures at all of them, by those of the choice.
+/// Of an entrant that left the race: its figures at all views, by those of the choice.
 void setByChoice(Entrant& entrant, const Entrant& choice, double limitRatio) {
     AdvisedStrategy& figures = entrant.figures;
     const bool raced = sumOf(entrant.times) > 0.0;
@@ -164,8 +164,9 @@ void setTimes(std::vector<Entrant>& entrants, const Entrant* choice) {
         if (!entrant.figures.limit) entrant.figures.headroomShare = headroomOf(entrant, entrants);
     for (Entrant& entrant : entrants) {
         AdvisedStrategy& figures = entrant.figures;
-        if (choice != nullptr && figures.views > 0 && figures.views < choice->figures.views)
-            setByChoice(entrant, *choice, limitRatio);
+        // Drawing everything and the limit are drawn to the end, whatever became of them.
+        const bool left = !entrant.racing && !figures.limit && &entrant != &entrants.front();
+        if (choice != nullptr && &entrant != choice && left && figures.views > 0) setByChoice(entrant, *choice, limitRatio);
         if (!figures.ratioToAll) continue;
         const double saved = figures.frameMilliseconds * (figures.ratioToAll->ratio - 1.0);
         if (saved > 0.0 && figures.structure.bytes > 0) figures.paybackFrames = figures.structure.buildMilliseconds / saved;

@@ -74,8 +74,8 @@ private:
 /// The fastest of those that may be chosen and have been drawn at every view so far; null: there is none.
 [[nodiscard]] Entrant* fastest(std::vector<Entrant>& entrants);
 
-/// Fills in what each entrant's times say, beside those of the first one, which draws everything. Of one that left after some of
-/// the views, or after the first ones, by the choice, which drew all (null: there is none).
+/// Fills in what each entrant's times say, beside those of the first one, which draws everything. Of one that left the race, by
+/// the choice, which drew all views (null: there is none).
 void setTimes(std::vector<Entrant>& entrants, const Entrant* choice);
 
 /// Where the interval of a choice does not exclude that drawing everything is as fast, that, the fastest of it; else the choice.

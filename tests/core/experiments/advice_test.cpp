@@ -79,6 +79,13 @@ TEST(Advice, oneThatLeftIsSetBesideTheChoiceAtTheViewsOfBoth) {
         entrants[2].times[view].front() = 10.0;
     }
     for (size_t view = 2; view < 8; ++view) entrants[1].times[view].clear();
+    entrants[1].racing = entrants[0].racing = false;
+    // Who was tried at the first views alone, while these took long.
+    entrants.push_back(entrantOf(1.0, 0.0, false, 5));
+    entrants[4].racing = false;
+    entrants[4].times.assign(8, {});
+    for (size_t i : {0, 2, 4}) entrants[i].probes = {{i == 4 ? 30.0 : 10.0}, {i == 0 ? 80.0 : 10.0}, {}, {}, {}, {}, {}, {}};
+    entrants[4].probes[1] = {30.0};
     entrants[3].figures.limit = true;
     advice::setTimes(entrants, &entrants[2]);
     const advice::AdvisedStrategy &choice = entrants[2].figures, &left = entrants[1].figures;
@@ -86,6 +93,8 @@ TEST(Advice, oneThatLeftIsSetBesideTheChoiceAtTheViewsOfBoth) {
     EXPECT_EQ(left.views, 2u);
     EXPECT_NEAR(left.ratioToAll->ratio, 2.5 / 1.1, 1e-9) << "and not 20 / 11";
     EXPECT_NEAR(left.frameMilliseconds, 5.5, 1e-9);
+    EXPECT_NEAR(entrants[4].figures.ratioToAll->ratio, 2.5 / 3.0, 1e-9) << "and not 90 / 60";
+    EXPECT_EQ(entrants[0].figures.ratioToAll->ratio, 1.0) << "drawing everything is drawn to the end";
     ASSERT_TRUE(left.headroomShare && choice.headroomShare);
     EXPECT_LT(left.headroomShare->ratio, choice.headroomShare->ratio);
     EXPECT_NEAR(choice.headroomShare->ratio, (1.0 - 5.0 / 12.5) / (1.0 - 2.0 / 12.5), 1e-9);
