@@ -55,7 +55,7 @@ TEST_F(CullbenchContract, worstIsACameraPathWhoseFirstViewLosesMost) {
     ASSERT_EQ(result.exitStatus, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr("--eye "));
     const json worst = json::parse(contentsOf(file("w.json")));
-    EXPECT_EQ(worst["views"].size(), 20u);
+    EXPECT_EQ(worst["views"].size(), 18u) << "all around in parts of 60 degrees; two more do not divide one";
     EXPECT_THAT(contentsOf(file("w.svg")), HasSubstr("azimuth"));
     const ProcessResult measured = cullbench({"measure", kSmall, "-s", "spherical", "--path", file("w.json"), "--size", "64x48",
                                               "--repeat", "1", "--no-limit", "--json", "-"});
