@@ -108,7 +108,8 @@ struct ExperimentRunner::Bench {
             // A loss cannot be dated to a frame, so the pose just measured is dropped; the result without it is kept.
             if (gpu.lost()) return Outcome{known, experimentLoss()};
             if (ready->recorder) ready->recorder->afterPose(*meter);
-            keepResult();
+            // The whole result is told once, as the outcome: listeners take a complete one for the end.
+            if (!meter->complete()) keepResult();
         }
         if (!meter || gpu.lost()) return Outcome{known, experimentLoss()};
         if (meter->complete() || ready->stop.stop_requested()) return Outcome{meter->resultSoFar(), {}};
